@@ -1,9 +1,8 @@
 //! Progress bars, on a terminal only.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use super::note;
 use crate::table::Observer;
@@ -17,18 +16,6 @@ pub fn progress_bar(length: usize, name: &str) -> ProgressBar {
     ProgressBar::new(length as u64)
         .with_style(style)
         .with_message(name.to_owned())
-}
-
-/// Shows for how long a work goes on whose end is not known, on a terminal and nowhere else, until the value that is
-/// returned is dropped.
-pub fn elapsed_time(name: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:9} {elapsed_precise}");
-    let shown = ProgressBar::new_spinner()
-        .with_style(style.expect("the template is valid"))
-        .with_message(name.to_owned())
-        .with_finish(ProgressFinish::AndClear);
-    shown.enable_steady_tick(Duration::from_secs(1));
-    shown
 }
 
 /// The bar of the present stage of a longer work.

@@ -11,6 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 use units::{Dimension, Quantity};
 
+use super::elapsed_time::elapsed_time;
 use super::experiments::{KnownArguments, TWO_WORKS};
 use super::free::FreeArguments;
 use super::indentation::{
@@ -23,7 +24,6 @@ use super::setting::{Given, Values, check_units, unit_of};
 use super::{experiments, indentation, object, table};
 use crate::cli::allow::{self, Allowed};
 use crate::cli::output::Output;
-use crate::cli::progress::elapsed_time;
 use crate::cli::quantity::{any, number, read};
 use crate::cli::table_name::{self, TableName};
 use crate::cli::{json, note, print};
@@ -422,7 +422,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         allow_left_out: allowed.contains(&Allowed::LeftOut),
         ..Options::default()
     };
-    let shown = elapsed_time("fitting");
+    let shown = elapsed_time();
     let fit = ::fit::fit(table, &experiments, &free, &options)
         .map_err(|error| doubted(error, &experiments, &notes))?;
     drop(shown);

@@ -2,8 +2,9 @@
 //!
 //! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
 //! `fit::report` writes the result as a report, `object` and `table` as JSON and as CSV;
-//! `picture` draws it. `value` asks for a value of the bodies that is missing.
+//! `picture` draws it. `elapsed_time` shows how long it takes. `value` asks for a value of the bodies that is missing.
 
+mod elapsed_time;
 pub mod experiments;
 mod fit;
 pub mod free;
