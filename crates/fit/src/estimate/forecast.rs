@@ -14,8 +14,8 @@ use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Par
 /// Computes the standard errors that a planned experiment would give.
 ///
 /// The values of the experiments are taken for the truth, the abscissae of their points for those
-/// to be measured; ordinates are not used. Each experiment needs its noise. The errors are those of
-/// least squares, from the derivatives of the model at the truth. Bounds and starts of the free
+/// to be measured; ordinates are not used. Each experiment needs its noise; that of its abscissae counts, too. The
+/// errors are those of least squares, from the derivatives of the model at the truth. Bounds and starts of the free
 /// parameters are not used; priors are.
 ///
 /// A fit of force curves that jump leaves out points near the ends of their branches by the noise of the data.

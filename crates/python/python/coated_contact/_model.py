@@ -207,8 +207,8 @@ def forecast(
     Parameters
     ----------
     experiments : Experiment or iterable of Experiment
-        Where to measure, the true values, and the ``noise``, which each needs. Ordinates are not
-        used.
+        Where to measure, the true values, and the ``noise``, which each needs. The
+        ``abscissa_noise`` counts as well. Ordinates are not used.
     free : iterable of str or Free
         The parameters to be found. Priors count; starts and bounds are not used.
     table : Table, optional
