@@ -141,7 +141,7 @@ def simulate(
     table: Table | None = None,
     allow: Iterable[Allowed] = (),
 ) -> Experiment:
-    """Return the experiment with synthetic ordinates, and with noise of its abscissae where it has one.
+    """Return the experiment with synthetic ordinates.
 
     On approach the contact forms at the contact point; on retract, and without a direction, it
     lasts to the end of the stable branch. Points at contact radii are in contact.
