@@ -55,7 +55,7 @@ fn film_between_rigid_bodies() -> Imagined {
         ..Imagined::lens(Kind::LoadRadius, 60e-6, 1e-5, &free)
     };
     film.truth.work_of_adhesion = 0.05;
-    film.truth.bodies = Bodies::Coated(rigid_probe(
+    film.truth.bodies = Bodies::coated(&rigid_probe(
         Probe::Paraboloid { radius: 5e-3 },
         solid(8e5, 0.49),
         60e-6,

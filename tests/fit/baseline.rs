@@ -146,7 +146,7 @@ fn a_contact_that_is_straight_to_its_end_is_no_baseline() {
         [depth, load(depth)]
     });
     let points: Vec<[f64; 2]> = points.collect();
-    let bodies = Bodies::HalfSpace(half_space_of(probe, f64::INFINITY, solid(7.5e5, 0.5)));
+    let bodies = Bodies::half_space(half_space_of(probe, f64::INFINITY, solid(7.5e5, 0.5)));
     let mut experiment = Experiment::new(measurement_of(Kind::LoadPenetration, points), bodies);
     experiment.work_of_adhesion = 1.0;
     let branches = experiment.branches(&[Parameter::FilmModulus, Parameter::BaselineSlope]);

@@ -7,8 +7,8 @@ use fit::{
 use interp::Probe;
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, coated, fit_all,
-    fit_with, fitted, fitted_of_few, half_space, lens, number_after, off, profiled, text,
+    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, film, fit_all, fit_with,
+    fitted, fitted_of_few, half_space, lens, number_after, off, profiled, text,
 };
 
 #[test]
@@ -221,7 +221,7 @@ fn contacts_outside_the_model_are_warned_of() {
     let words = "a/R reaches 0.60; leave out; above 0.55 R; fit the exact sphere";
     assert_warns(&probe.fit(1), WarningKind::LargeContact, words);
     let half_angle = 20_f64.to_radians();
-    coated(&mut probe.truth).probe = Probe::Cone { half_angle };
+    probe.truth.bodies.probe = Probe::Cone { half_angle };
     probe.radii[1] = 6e-6;
     let words = "reaches 2.75; half angle 20 degrees";
     assert_warns(&probe.fit(1), WarningKind::LargeContact, words);
@@ -233,7 +233,7 @@ fn contacts_outside_the_model_are_warned_of() {
     // On a softer film the cohesive zone is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     softer.truth = hard.truth;
-    softer.truth.bodies = Bodies::Coated(rigid_probe(
+    softer.truth.bodies = Bodies::coated(&rigid_probe(
         Probe::Paraboloid { radius: 20e-9 },
         solid(5e8, 0.2),
         1e-7,
@@ -312,8 +312,8 @@ fn a_value_at_its_bound_is_named() {
         Parameter::ContactPoint,
     ];
     let mut gel = Imagined::probe(Course::Approach, 0.0, &free);
-    let system = coated(&mut gel.truth);
-    system.film = solid(system.film.young(), 0.5);
+    let film = film(&mut gel.truth);
+    film.solid = solid(film.solid.young(), 0.5);
     gel.free[1] = gel.free[1].starting_from(0.4);
     let said: Vec<String> = (0..8)
         .map(|seed| text(&gel.fit(seed), WarningKind::AtBound))

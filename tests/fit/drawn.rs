@@ -53,7 +53,7 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         largest / random.log_uniform(0.05, 30.0),
         Elastic::new(film * random.log_uniform(1e-2, 1e5), 0.25).ok()?,
     );
-    let bodies = Bodies::Coated(system.clone());
+    let bodies = Bodies::coated(&system);
     let contact = Contact::in_table(Table::embedded(), &system).ok()?;
     let hertz = contact.load(largest, 0.0).ok()?;
     let adhesive = kind == PenetrationRadius || random.uniform(0.0, 1.0) < 0.75;

@@ -10,7 +10,7 @@ use interp::{Probe, Table};
 use rayon::prelude::*;
 
 use crate::contact_stiffness::{at_radii, noisy, oxide};
-use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, coated, fit_with, free_of};
+use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, as_film, film, fit_with, free_of};
 use crate::recovery::{SETS, assert_coverage};
 
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
@@ -126,7 +126,7 @@ fn changes_are_those_of_fits_with_other_values() {
     let radius = Probe::Paraboloid { radius: 20e-6 };
     let film = acceptance::solid(2e4, 0.5);
     let system = acceptance::rigid_probe(radius, film, 2e-7, acceptance::solid(7e10, 0.2));
-    gel.truth.bodies = Bodies::Coated(system);
+    gel.truth.bodies = Bodies::coated(&system);
     gel.truth.measurement.kind = Kind::LoadPenetration;
     gel.truth.stiffness = None;
     let experiment = gel.measured(&gel.exact(), 1);
@@ -144,12 +144,12 @@ fn changes_are_those_of_fits_with_other_values() {
     // is -0.5 % of the modulus in closed form.
     let free = [Parameter::FilmModulus];
     let mut hertz = Imagined::probe(Course::Approach, 0.0, &free);
-    let system = coated(&mut hertz.truth);
+    let system = as_film(&hertz.truth.bodies);
     let half_space = interp::HalfSpace {
         solid: system.film,
         ..system.without_film()
     };
-    hertz.truth.bodies = Bodies::HalfSpace(half_space);
+    hertz.truth.bodies = Bodies::half_space(half_space);
     hertz.truth.measurement.kind = Kind::LoadPenetration;
     let experiment = hertz.measured(&hertz.exact(), 1);
     let here = told(&experiment, &hertz.free);
@@ -176,7 +176,7 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
     let probe = Imagined::probe(Course::Approach, 5e-5, &FORCE_CURVE);
     let mut experiment = probe.measured(&probe.exact(), 1);
     // With a rigid sphere and substrate the modulus of the film is the only one.
-    coated(&mut experiment).substrate = acceptance::solid(f64::INFINITY, 0.25);
+    experiment.bodies.base = acceptance::solid(f64::INFINITY, 0.25);
     experiment.from_deflection = true;
     let stiffness = experiment.stiffness.expect("that of a cantilever");
     let known = Known {
@@ -214,8 +214,8 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     );
     // Nor is one near its end moved beyond it.
     let mut near = lens.clone();
-    let system = coated(&mut near.truth);
-    system.film = acceptance::solid(system.film.young(), 0.495);
+    let film = film(&mut near.truth);
+    film.solid = acceptance::solid(film.solid.young(), 0.495);
     let near = told(&near.measured(&near.exact(), 1), &lens.free);
     let mut values = near.fixed_values.iter();
     let one = values.find(|one| one.quantity == poisson);
@@ -295,7 +295,7 @@ fn thicknesses_of_several_films_err_in_proportion() {
     let fits = |factor: f64| {
         let experiments = lenses.each_ref().map(|lens| {
             let mut one = lens.measured(&lens.exact(), 1);
-            coated(&mut one).film_thickness *= factor;
+            film(&mut one).thickness *= factor;
             one
         });
         let options = Options {

@@ -172,7 +172,7 @@ fn data_without_sense_give_an_error_or_a_result() {
                 direction: directions[i % 3],
             });
         }
-        let mut experiment = Experiment::new(measurement(kind, points), Bodies::Coated(gel()));
+        let mut experiment = Experiment::new(measurement(kind, points), Bodies::coated(&gel()));
         experiment.stiffness = Some(0.2);
         experiment.noise = (seed % 3 == 0).then_some(1e-9);
         let free: Vec<Free> = free

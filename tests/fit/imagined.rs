@@ -7,14 +7,16 @@ use std::slice;
 
 use acceptance::{
     Contacts, Words, assert_names, half_space_of, paper_system, rigid_probe, solid, solved_contact,
+    system_of,
 };
 use contact::Contact;
 use fit::data::Format;
 use fit::{
-    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Layered, Loss, Measurement, Numbering,
-    Options, Parameter, Point, Warning, WarningKind,
+    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Numbering, Options,
+    Parameter, Point, Warning, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
+use solve::stack::Layer;
 
 /// The parameters of a JKR test.
 pub const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -191,25 +193,25 @@ pub fn fit_all(experiments: &[Experiment], free: &[Free]) -> Result<Fit, Error> 
     fit::fit(Table::embedded(), experiments, free, &Options::default())
 }
 
-/// Returns the bodies of an experiment on a film.
-pub fn coated(experiment: &mut Experiment) -> &mut System {
-    match &mut experiment.bodies {
-        Bodies::Coated(system) => system,
-        other => panic!("not coated: {other:?}"),
-    }
+/// Returns the bodies of an experiment on a film or on layers, as if these were one film.
+pub fn as_film(bodies: &Bodies) -> System {
+    system_of(
+        bodies.probe.clone(),
+        bodies.sphere_modulus,
+        bodies.film(),
+        bodies.thickness().expect("there are layers"),
+        bodies.base,
+    )
 }
 
-/// Returns the bodies of an experiment on layers.
-pub fn layered(experiment: &mut Experiment) -> &mut Layered {
-    match &mut experiment.bodies {
-        Bodies::Layered(layered) => layered,
-        other => panic!("not on layers: {other:?}"),
-    }
+/// Returns the film of an experiment.
+pub fn film(experiment: &mut Experiment) -> &mut Layer {
+    &mut experiment.bodies.layers[0].layer
 }
 
 /// A sphere on a half-space.
 pub fn half_space(radius: f64, sphere_modulus: f64, solid: Elastic) -> Bodies {
-    Bodies::HalfSpace(half_space_of(
+    Bodies::half_space(half_space_of(
         Probe::Paraboloid { radius },
         sphere_modulus,
         solid,
@@ -234,7 +236,7 @@ pub fn gel() -> System {
 impl Imagined {
     /// A JKR test of the paper's lens on a film.
     pub fn lens(kind: Kind, film_thickness: f64, noise: f64, free: &[Parameter]) -> Self {
-        let bodies = Bodies::Coated(paper_system(film_thickness));
+        let bodies = Bodies::coated(&paper_system(film_thickness));
         let mut truth = Experiment::new(measurement(kind, Vec::new()), bodies);
         truth.work_of_adhesion = 0.04;
         Self {
@@ -253,7 +255,7 @@ impl Imagined {
     /// A hard contact of some nanometres, whose attraction is not short.
     pub fn hard() -> Self {
         let mut hard = Self::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-        hard.truth.bodies = Bodies::Coated(rigid_probe(
+        hard.truth.bodies = Bodies::coated(&rigid_probe(
             Probe::Paraboloid { radius: 20e-9 },
             solid(5e10, 0.2),
             1e-7,
@@ -266,7 +268,7 @@ impl Imagined {
 
     /// A force curve of a colloidal probe on a gel.
     pub fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Self {
-        let bodies = Bodies::Coated(gel());
+        let bodies = Bodies::coated(&gel());
         let mut truth = Experiment::new(measurement(Kind::ForceHeight, Vec::new()), bodies);
         truth.work_of_adhesion = work_of_adhesion;
         truth.stiffness = Some(0.2);
@@ -287,23 +289,23 @@ impl Imagined {
 
     /// Returns the contact of the bodies, by direct solves or in closed form.
     fn contact(&self) -> Contact {
-        match &self.truth.bodies {
-            Bodies::Coated(system) => {
-                let [from, to] = self.radii.map(|radius| radius / system.film_thickness);
-                // The integrals of a cone reach beyond the contact.
-                solved_contact(system, [0.3 * from, 1.5 * to], 1e-9)
-            }
-            Bodies::Layered(layered) => {
-                let stack = layered.stack().expect("physical");
-                let [from, to] = self.radii.map(|radius| radius / stack.thickness());
-                let modulus = layered.sphere_modulus;
-                let curve = solve::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
-                let radius = layered.probe.radius().expect("a paraboloid");
-                let system = stack.system(radius, modulus);
-                Contact::new(&system, curve.expect("within reach")).expect("its own curve")
-            }
-            Bodies::HalfSpace(half_space) => Contact::half_space(half_space).expect("physical"),
+        let bodies = &self.truth.bodies;
+        let Some(thickness) = bodies.thickness() else {
+            let probe = bodies.probe.clone();
+            let half_space = half_space_of(probe, bodies.sphere_modulus, bodies.base);
+            return Contact::half_space(&half_space).expect("physical");
+        };
+        let [from, to] = self.radii.map(|radius| radius / thickness);
+        if !bodies.are_layered() {
+            // The integrals of a cone reach beyond the contact.
+            return solved_contact(&as_film(bodies), [0.3 * from, 1.5 * to], 1e-9);
         }
+        let stack = bodies.stack().expect("physical");
+        let modulus = bodies.sphere_modulus;
+        let curve = solve::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
+        let radius = bodies.probe.radius().expect("a paraboloid");
+        let system = stack.system(radius, modulus);
+        Contact::new(&system, curve.expect("within reach")).expect("its own curve")
     }
 
     /// Returns the points without noise.

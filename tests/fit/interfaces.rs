@@ -1,12 +1,12 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
-use acceptance::{Refused, assert_names, solid, springs, system_of};
-use fit::{Bodies, Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
+use acceptance::{Refused, assert_names, solid, springs};
+use fit::{Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
 use interp::{System, Table};
 use solve::solve_stack;
-use solve::stack::{self, Interface, Stack};
+use solve::stack::{Interface, Stack};
 
-use crate::imagined::{Imagined, assert_silent, layered};
+use crate::imagined::{Imagined, as_film, assert_silent};
 use crate::layers::{fit_of, layer, modulus_of, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
@@ -30,17 +30,7 @@ fn lens(interface: Interface, parameter: Parameter) -> Imagined {
 
 /// Puts the film of an imagined experiment on its substrate with an interface.
 fn set(imagined: &mut Imagined, interface: Interface, change: impl Fn(&mut System)) {
-    let mut system = match &imagined.truth.bodies {
-        Bodies::Coated(system) => system.clone(),
-        Bodies::Layered(layered) => system_of(
-            layered.probe.clone(),
-            layered.sphere_modulus,
-            layered.surface(),
-            layered.thickness(),
-            layered.base,
-        ),
-        Bodies::HalfSpace(_) => unreachable!("a lens is on a film"),
-    };
+    let mut system = as_film(&imagined.truth.bodies);
     change(&mut system);
     let mut film = layer("film", system.film, system.film_thickness);
     film.layer.interface = interface;
@@ -106,15 +96,10 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
         system.substrate = solid(INFINITY, 0.25);
     });
     let found = fit_of(bonded.measured(&bonded.exact(), 0), &bonded);
-    let layered = layered(&mut bonded.truth).clone();
-    let widest = bonded.radii[1] / layered.thickness();
+    let film = as_film(&bonded.truth.bodies);
+    let widest = bonded.radii[1] / film.film_thickness;
     let eeq = |interface| {
-        let film = stack::Layer {
-            solid: layered.surface(),
-            thickness: layered.thickness(),
-            interface,
-        };
-        let stack = Stack::new(layered.base, [film]).expect("physical");
+        let stack = Stack::of_film(&film, interface).expect("physical");
         let solution = solve_stack(widest, &stack, INFINITY, 1e-8).expect("within reach");
         solution.quantities.eeq
     };

@@ -71,7 +71,7 @@ fn lens() -> Experiment {
         substrate: solid(1.6e11, 0.27),
         ..paper_system(3e-5)
     };
-    let mut experiment = of_file("data/lens.csv", Bodies::Coated(system));
+    let mut experiment = of_file("data/lens.csv", Bodies::coated(&system));
     experiment.work_of_adhesion = 0.04;
     // The noise is 2e-6 N: this one is far too large, so that only small parts of it matter.
     experiment.noise = Some(1e-4);

@@ -9,7 +9,7 @@ use crate::imagined::{fit_all, measurement_at};
 
 fn experiment(kind: Kind, probe: Probe) -> Experiment {
     let radii = (0..30).map(|i| 4e-5 + 2e-6 * f64::from(i));
-    let bodies = Bodies::HalfSpace(half_space_of(probe, f64::INFINITY, solid(1.5e6, 0.5)));
+    let bodies = Bodies::half_space(half_space_of(probe, f64::INFINITY, solid(1.5e6, 0.5)));
     Experiment {
         work_of_adhesion: 0.04,
         load_offset: 3e-5,

@@ -2,14 +2,14 @@
 
 use acceptance::{larger, solid};
 use fit::{
-    Bodies, Experiment, Fit, Interrupt, Kind, LayerName, LayerQuantity, Layered, NamedLayer,
-    Parameter, Reach, Solver, WarningKind,
+    Bodies, Experiment, Fit, Kind, LayerName, LayerQuantity, NamedLayer, Parameter, Reach, Solver,
+    WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
 
 use crate::imagined::{
-    self, Course, FORCE_CURVE, Imagined, LENS, assert_warned, coated, fit_all, measurement_at, off,
+    self, Course, FORCE_CURVE, Imagined, LENS, as_film, assert_warned, fit_all, measurement_at, off,
 };
 use crate::recovery::assert_recovers;
 
@@ -36,24 +36,17 @@ pub fn layer(name: &str, solid: Elastic, thickness: f64) -> NamedLayer {
 
 /// Puts a sphere on layers on a base.
 pub fn on_layers(system: &System, layers: &[NamedLayer]) -> Bodies {
-    Bodies::Layered(Layered {
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
+    Bodies {
         layers: layers.to_vec(),
-        reach: Reach {
-            needed: 0.0,
-            expected: 0.0,
-        },
         solver: Solver::Direct,
-        interrupt: Interrupt::default(),
-    })
+        ..Bodies::coated(system)
+    }
 }
 
 /// A lens on an elastomer on a softer primer on silicon.
 pub fn lens(free: &[Parameter]) -> Imagined {
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, free);
-    let system = coated(&mut lens.truth).clone();
+    let system = as_film(&lens.truth.bodies);
     let primer = layer("primer", solid(5e5, 0.5), 4e-6);
     let elastomer = layer("elastomer", solid(3.5e6, 0.5), 6e-6);
     lens.truth.bodies = on_layers(&system, &[primer, elastomer]);
@@ -63,7 +56,7 @@ pub fn lens(free: &[Parameter]) -> Imagined {
 /// A rigid colloidal probe on a gel on a stiffer primer on glass.
 fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Imagined {
     let mut probe = Imagined::probe(course, work_of_adhesion, free);
-    let system = coated(&mut probe.truth).clone();
+    let system = as_film(&probe.truth.bodies);
     let primer = layer("primer", solid(1e5, 0.4), 3e-6);
     let gel = layer("gel", system.film, 5e-6);
     probe.truth.bodies = on_layers(&system, &[primer, gel]);
@@ -72,9 +65,7 @@ fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Imagined 
 
 /// Gives the contacts on layers the reach that the measurement needs.
 pub fn with_reach(mut experiment: Experiment) -> Experiment {
-    if let Bodies::Layered(layered) = &mut experiment.bodies {
-        layered.reach = Reach::of(&experiment.measurement, &layered.probe);
-    }
+    experiment.bodies.reach = Reach::of(&experiment.measurement, &experiment.bodies.probe);
     experiment
 }
 
@@ -115,7 +106,7 @@ fn sphere_and_layer_are_found_together() {
 /// The film of an imagined experiment as a stack of one layer.
 fn as_one_layer(imagined: &Imagined) -> Imagined {
     let mut layered = imagined.clone();
-    let system = coated(&mut layered.truth).clone();
+    let system = as_film(&layered.truth.bodies);
     let film = layer("film", system.film, system.film_thickness);
     layered.truth.bodies = on_layers(&system, &[film]);
     for free in &mut layered.free {
@@ -268,7 +259,7 @@ fn a_punch_on_one_layer_has_the_loads_on_the_film() {
         predicted.expect("in range").ordinates
     };
     let on_layer = predicted(on_layers(&film, &[gel]));
-    for (film, layer) in predicted(Bodies::Coated(film)).into_iter().zip(on_layer) {
+    for (film, layer) in predicted(Bodies::coated(&film)).into_iter().zip(on_layer) {
         let error = (layer / film - 1.0).abs();
         // The table that the film is looked up in has an error of 7e-7.
         assert!(film > 0.0 && error < 2e-6, "{film:e} {layer:e}");

@@ -8,7 +8,7 @@ use acceptance::{Refused, solid};
 use fit::{Experiment, Fixed, Free, Interrupt, Kind, Parameter};
 use interp::Probe;
 
-use crate::imagined::{Imagined, fit_all, layered};
+use crate::imagined::{Imagined, fit_all};
 use crate::layers::{lens, modulus_of, named, thickness_of, with_reach};
 
 #[test]
@@ -54,7 +54,7 @@ fn layers_that_cannot_be_solved_are_named() {
 fn a_cone_on_layers_is_refused() {
     let lens = lens(&[Parameter::WorkOfAdhesion]);
     let mut experiment = with_reach(lens.measured(&lens.exact(), 1));
-    layered(&mut experiment).probe = Probe::Cone { half_angle: 1.4 };
+    experiment.bodies.probe = Probe::Cone { half_angle: 1.4 };
     fit_all(&[experiment], &lens.free).refused("stack; paraboloid");
 }
 
@@ -68,7 +68,7 @@ fn an_interrupted_fit_is_an_error_and_ends() {
         let asked = Arc::new(AtomicUsize::new(0));
         let mut experiment = experiment.clone();
         let count = Arc::clone(&asked);
-        layered(&mut experiment).interrupt =
+        experiment.bodies.interrupt =
             Interrupt::when(move || count.fetch_add(1, Ordering::Relaxed) >= last);
         let found = fit_all(&[experiment], &lens.free);
         let asked = asked.load(Ordering::Relaxed);
@@ -92,14 +92,12 @@ fn an_interrupted_fit_is_an_error_and_ends() {
 fn values_of_a_name_are_those_of_all_layers_that_have_it() {
     let mut experiment = lens(&[Parameter::WorkOfAdhesion]).truth;
     let name = named("both");
-    let layers = layered(&mut experiment).layers.iter_mut();
+    let layers = experiment.bodies.layers.iter_mut();
     layers.for_each(|layer| layer.name = Some(name));
     let ratio = Fixed::NamedPoissonRatio(name);
     experiment.set(modulus_of("both"), 1e7).expect("physical");
     experiment.set_fixed(ratio, 0.2).expect("physical");
-    let solids = layered(&mut experiment)
-        .layers
-        .iter()
-        .map(|layer| layer.layer.solid);
+    let layers = experiment.bodies.layers.iter();
+    let solids = layers.map(|layer| layer.layer.solid);
     assert_eq!(solids.collect::<Vec<_>>(), [solid(1e7, 0.2); 2]);
 }

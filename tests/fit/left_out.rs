@@ -49,7 +49,7 @@ fn viscous() -> Experiment {
         }
     };
     let measurement = measurement(Kind::ForceHeight, (0..200).map(point).collect());
-    let mut experiment = Experiment::new(measurement, Bodies::Coated(gel()));
+    let mut experiment = Experiment::new(measurement, Bodies::coated(&gel()));
     experiment.stiffness = Some(0.2);
     experiment
 }
@@ -103,7 +103,7 @@ fn a_value_that_changes_nothing_is_no_result() {
 fn shipped_gel() -> Experiment {
     let probe = Probe::Paraboloid { radius: 10e-6 };
     let system = rigid_probe(probe, solid(5e3, 0.5), 20e-6, solid(70e9, 0.25));
-    let mut experiment = of_file("data/gel.csv", Bodies::Coated(system));
+    let mut experiment = of_file("data/gel.csv", Bodies::coated(&system));
     experiment.stiffness = Some(0.1);
     experiment
 }
@@ -139,7 +139,7 @@ fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
 fn a_work_of_adhesion_that_ends_at_0_is_told() {
     let radii = (0..40).map(|i| 4e-5 + 2e-6 * f64::from(i));
     let measurement = measurement_at(Kind::LoadRadius, radii);
-    let mut plan = Experiment::new(measurement, Bodies::Coated(paper_system(3e-5)));
+    let mut plan = Experiment::new(measurement, Bodies::coated(&paper_system(3e-5)));
     plan.work_of_adhesion = 0.0;
     let noise = 1e-5;
     let mut ended = 0;

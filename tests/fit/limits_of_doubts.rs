@@ -5,7 +5,7 @@ use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_silent, assert_warned, assert_warns, coated, fit_all, fitted,
+    Course, Imagined, LENS, assert_silent, assert_warned, assert_warns, film, fit_all, fitted,
     free_of, measurement_at, number_after, text,
 };
 
@@ -49,11 +49,10 @@ fn a_shared_work_of_adhesion_that_one_file_shows_has_not_ended_at_zero() {
 fn where_the_sphere_deforms_friction_bounds_nothing() {
     let free = [Parameter::FilmModulus];
     let mut lens = Imagined::lens(Kind::LoadRadius, 100e-6, 1e-7, &free);
-    coated(&mut lens.truth).film = solid(3.5e6, 0.4);
+    film(&mut lens.truth).solid = solid(3.5e6, 0.4);
     for (modulus, expected) in [(2e7, "other bodies deform"), (f64::INFINITY, "is between")] {
-        let system = coated(&mut lens.truth);
-        system.sphere_modulus = modulus;
-        system.substrate = solid(f64::INFINITY, 0.25);
+        lens.truth.bodies.sphere_modulus = modulus;
+        lens.truth.bodies.base = solid(f64::INFINITY, 0.25);
         assert_warns(&lens.fit(1), WarningKind::Friction, expected);
     }
 }
@@ -129,7 +128,7 @@ fn contacts_on_a_stiff_film_that_are_no_discs_or_bend_it_are_doubted() {
         let probe = Probe::Cone {
             half_angle: half_angle.to_radians(),
         };
-        let bodies = Bodies::Coated(rigid_probe(probe, film(young), 1e-6, film(1e6)));
+        let bodies = Bodies::coated(&rigid_probe(probe, film(young), 1e-6, film(1e6)));
         let [from, to] = depths;
         let depths = (0..20).map(|i| from + (to - from) * f64::from(i) / 19.0);
         let mut plan = Experiment::new(measurement_at(Kind::LoadPenetration, depths), bodies);

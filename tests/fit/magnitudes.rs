@@ -4,7 +4,7 @@ use acceptance::{Refused, assert_names, solid};
 use fit::{Experiment, Kind, Parameter, WarningKind};
 use interp::Probe;
 
-use crate::imagined::{Course, Imagined, LENS, assert_warned, coated, fit_all, half_space, text};
+use crate::imagined::{Course, Imagined, LENS, assert_warned, film, fit_all, half_space, text};
 
 /// Makes a mistake in a lens of 1 mm on a film of 10 um. Returns as an error what is said of it: of the
 /// experiment, else of the fit.
@@ -37,16 +37,16 @@ fn scale(experiment: &mut Experiment, [x, y]: [f64; 2]) {
 #[test]
 fn what_no_experiment_has_is_named_with_the_likely_mistake() {
     let paraboloid = |radius| Probe::Paraboloid { radius };
-    with(|one| coated(one).probe = paraboloid(2.0)).refused("radius of the sphere = 2 m; 2 mm");
-    with(|one| coated(one).film_thickness = 30.0).refused("film thickness = 30 m; 30 um");
-    with(|one| coated(one).film_thickness = 1e-11).refused("film thickness; an atom");
-    with(|one| coated(one).substrate = solid(2e20, 0.25)).refused("substrate's modulus; 2000 GPa");
-    with(|one| coated(one).film = solid(3.5e-3, 0.5))
+    with(|one| one.bodies.probe = paraboloid(2.0)).refused("radius of the sphere = 2 m; 2 mm");
+    with(|one| film(one).thickness = 30.0).refused("film thickness = 30 m; 30 um");
+    with(|one| film(one).thickness = 1e-11).refused("film thickness; an atom");
+    with(|one| one.bodies.base = solid(2e20, 0.25)).refused("substrate's modulus; 2000 GPa");
+    with(|one| film(one).solid = solid(3.5e-3, 0.5))
         .refused("film's modulus = 0.0035 Pa; below the moduli of all solids");
     // Radii in mm, a sphere of too small a radius, and loads in mN and in nN.
     with(|one| scale(one, [1e3, 1.0]))
         .refused("contact radius; below the radius of the sphere; units");
-    with(|one| coated(one).probe = paraboloid(1.5e-4))
+    with(|one| one.bodies.probe = paraboloid(1.5e-4))
         .refused("half the radius of the sphere; check the units of both");
     with(|one| scale(one, [1.0, 1e3])).refused("moduli of all solids; mN or uN taken for N");
     with(|one| scale(one, [1.0, 1e9])).refused("range of the load; nN were probably taken for N");

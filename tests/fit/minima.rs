@@ -137,7 +137,7 @@ fn starts_do_not_decide() {
 fn a_start_in_the_wrong_unit_does_not_decide() {
     let radii = (0..40).map(|i| 2e-5 + 1e-4 * f64::from(i) / 39.0);
     let measurement = measurement_at(Kind::LoadRadius, radii);
-    let bodies = Bodies::Coated(paper_system(1e-5));
+    let bodies = Bodies::coated(&paper_system(1e-5));
     let planned = Experiment {
         work_of_adhesion: 0.04,
         ..Experiment::new(measurement, bodies)
@@ -187,7 +187,7 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
         contact_point: 4e-6,
         stiffness: Some(200.0),
         noise: Some(noise),
-        ..Experiment::new(measurement, Bodies::Coated(system))
+        ..Experiment::new(measurement, Bodies::coated(&system))
     };
     let free = free_of(&FORCE_CURVE[..3]);
     (0..20).into_par_iter().for_each(|seed| {

@@ -28,7 +28,7 @@ fn cycle(system: System, [from, to]: [f64; 2], count: u32, noise: f64) -> Experi
     }
     Experiment {
         noise: Some(noise),
-        ..Experiment::new(measurement, Bodies::Coated(system))
+        ..Experiment::new(measurement, Bodies::coated(&system))
     }
 }
 

@@ -211,7 +211,7 @@ fn plans_of_curves_that_jump_off_have_the_errors_of_their_fits() {
             work_of_adhesion: 8e-5,
             stiffness: Some(0.02),
             noise: Some(noise),
-            ..Experiment::new(measurement, Bodies::Coated(system.clone()))
+            ..Experiment::new(measurement, Bodies::coated(&system))
         };
         let free = free_of(&FORCE_CURVE);
         let one = std::slice::from_ref(&planned);

@@ -209,7 +209,7 @@ fn a_probe_on_a_half_space() {
 fn a_hard_probe_on_a_hard_coating() {
     let free = [FilmModulus, ContactPoint];
     let mut probe = Imagined::lens(Kind::LoadPenetration, 2e-6, 1e-4, &free);
-    probe.truth.bodies = Bodies::Coated(rigid_probe(
+    probe.truth.bodies = Bodies::coated(&rigid_probe(
         Probe::Paraboloid { radius: 100e-6 },
         solid(4e11, 0.2),
         2e-6,

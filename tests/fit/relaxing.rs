@@ -15,7 +15,7 @@ use crate::recovery::{SETS, assert_recovers};
 use Parameter::{Baseline, ContactPoint, FilmModulus, Law};
 use contact::LawParameter::{Exponent, RelaxedFraction, Time};
 
-use crate::imagined::{coated, fit_all, fit_with, free_of, measurement, off, text};
+use crate::imagined::{fit_all, fit_with, free_of, measurement, off, text};
 
 /// What a curve tells of a gel that relaxes by a power law, and by a standard linear solid.
 pub const POWER_LAW: [Parameter; 3] = [FilmModulus, Law(Exponent), ContactPoint];
@@ -28,7 +28,7 @@ const SOLID: [Parameter; 4] = [
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
-    Bodies::Coated(rigid_probe(
+    Bodies::coated(&rigid_probe(
         Probe::Paraboloid { radius: 2e-5 },
         solid(2e3, 0.5),
         thickness,
@@ -139,7 +139,7 @@ fn power_laws_are_recovered() {
 fn noise_of_a_tenth_of_the_largest_load_hinders_no_fit() {
     let plan = |thickness, law: &Relaxation| planned(Kind::LoadPenetration, thickness, law, 1.0);
     let mut cone = plan(1e-6, &linear_solid());
-    coated(&mut cone).probe = Probe::Cone { half_angle: 1.05 };
+    cone.bodies.probe = Probe::Cone { half_angle: 1.05 };
     for (name, plan, free, noise) in [
         ("power law", plan(1e-5, &power()), &POWER_LAW[..], 0.12),
         ("solid", plan(1e-5, &linear_solid()), &SOLID[..], 0.12),
@@ -166,7 +166,7 @@ fn noise_of_a_tenth_of_the_largest_load_hinders_no_fit() {
 #[test]
 fn data_that_do_not_determine_the_law_are_the_reason_and_not_the_bodies() {
     let mut plan = planned(Kind::LoadPenetration, 1e-6, &linear_solid(), 0.0);
-    coated(&mut plan).substrate = solid(1e7, 0.45);
+    plan.bodies.base = solid(1e7, 0.45);
     let refused = |seed: u64| {
         let mut made = with_noise(&plan, 0.2, seed);
         made.contact_point = 0.0;
@@ -273,7 +273,7 @@ fn a_baseline_is_found_below_large_noise() {
 fn bodies_that_do_not_relax_are_doubted_or_refused() {
     let with_base = |young: f64, all_bodies: bool| {
         let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
-        coated(&mut data).substrate = solid(young, 0.45);
+        data.bodies.base = solid(young, 0.45);
         if let Some(relaxing) = &mut data.relaxing {
             relaxing.all_bodies = all_bodies;
         }

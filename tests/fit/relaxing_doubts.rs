@@ -4,7 +4,7 @@ use acceptance::{Contacts, Refused, prony, solid};
 use contact::Relaxation;
 use fit::{Direction, Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind};
 
-use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement_of, off, text};
+use crate::imagined::{film, fit_all, fitted, free_of, half_space, measurement_of, off, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
 use Parameter::{FilmModulus, Law};
@@ -13,9 +13,8 @@ use contact::LawParameter::{Exponent, RelaxedFraction, Time};
 /// A gel that relaxes on a base, 60 points in 2 s.
 fn relaxing(law: Relaxation, young: f64, base: f64) -> Experiment {
     let mut plan = planned(Kind::LoadPenetration, 1e-5, &law, 0.0);
-    let system = coated(&mut plan);
-    system.film = solid(young, 0.5);
-    system.substrate = solid(base, 0.25);
+    film(&mut plan).solid = solid(young, 0.5);
+    plan.bodies.base = solid(base, 0.25);
     if let Some(relaxing) = &mut plan.relaxing {
         relaxing.all_bodies = base < f64::INFINITY;
     }

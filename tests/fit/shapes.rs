@@ -96,11 +96,7 @@ fn recover(
     }
     let mean = f64::sqrt(squares / count);
     assert!(mean < 2.0, "{name}: {mean}");
-    match &mut imagined.truth.bodies {
-        Bodies::Coated(system) => system.probe = wrong,
-        Bodies::HalfSpace(half_space) => half_space.probe = wrong,
-        Bodies::Layered(layered) => layered.probe = wrong,
-    }
+    imagined.truth.bodies.probe = wrong;
     offs(&imagined, first).into_iter().fold(0.0, f64::max)
 }
 
@@ -112,7 +108,14 @@ fn a_sphere_on_a_film_whose_contact_is_not_small() {
     let exact = at_radii(&solved_contact(&system, [0.02, 1.5], 1e-9), [4e-6, 10e-6]);
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
     let wrong = Probe::Paraboloid { radius };
-    let off = recover("sphere", Bodies::Coated(system), &exact, &free, 1..9, wrong);
+    let off = recover(
+        "sphere",
+        Bodies::coated(&system),
+        &exact,
+        &free,
+        1..9,
+        wrong,
+    );
     assert!(off > 10.0, "{off}");
 }
 
@@ -125,7 +128,7 @@ fn a_cone_on_a_film() {
     let wrong = Probe::Cone {
         half_angle: half_angle + 0.02,
     };
-    let off = recover("cone", Bodies::Coated(system), &exact, &free, 1..3, wrong);
+    let off = recover("cone", Bodies::coated(&system), &exact, &free, 1..3, wrong);
     assert!(off > FARTHEST, "{off}");
 }
 
@@ -146,7 +149,7 @@ fn a_flat_punch_on_a_film() {
         radius: 0.95 * radius,
     };
     let free = [FilmModulus, ContactPoint];
-    let off = recover("punch", Bodies::Coated(system), &exact, &free, 1..9, wrong);
+    let off = recover("punch", Bodies::coated(&system), &exact, &free, 1..9, wrong);
     assert!(off > FARTHEST, "{off}");
 }
 
@@ -165,7 +168,7 @@ fn a_sphere_on_a_half_space() {
     let exact = measured(parts().map(|part| state(4e-6 + 8e-6 * part)));
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
     let wrong = Probe::Paraboloid { radius };
-    let bodies = Bodies::HalfSpace(half_space);
+    let bodies = Bodies::half_space(half_space);
     let off = recover("half-space", bodies, &exact, &free, 1..9, wrong);
     assert!(off > 10.0, "{off}");
 }
@@ -188,7 +191,7 @@ fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
     for seed in 0..12 {
         let fits = shapes.each_ref().map(|probe| {
             let bodies =
-                Bodies::HalfSpace(half_space_of(probe.clone(), f64::INFINITY, solid(1e6, 0.5)));
+                Bodies::half_space(half_space_of(probe.clone(), f64::INFINITY, solid(1e6, 0.5)));
             let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
             let mut imagined = Imagined::lens(Kind::LoadPenetration, 10e-6, 2e-8, &free);
             imagined.truth.bodies = bodies;
@@ -213,7 +216,8 @@ fn a_paraboloid_that_stands_for_a_sphere_is_named_where_it_matters() {
     let warned = |largest: f64| {
         let mut lens = lens();
         lens.radii = [5e-5, largest];
-        lens.truth.bodies = Bodies::HalfSpace(half_space_of(sphere.clone(), 2e6, solid(7e10, 0.2)));
+        lens.truth.bodies =
+            Bodies::half_space(half_space_of(sphere.clone(), 2e6, solid(7e10, 0.2)));
         let mut experiment = lens.measured(&lens.exact(), 0);
         assert_silent(&lens.fit_of(&experiment), WarningKind::LargeContact);
         experiment.bodies = half_space(1e-3, 2e6, solid(7e10, 0.2));

@@ -290,7 +290,7 @@ fn a_flat_punch_goes_on_straight_beyond_its_pull_off() {
     );
     let depths = (-10..=10).map(|i| 1e-7 * f64::from(i));
     let measurement = measurement_at(Kind::LoadPenetration, depths);
-    let mut experiment = Experiment::new(measurement, Bodies::HalfSpace(punch));
+    let mut experiment = Experiment::new(measurement, Bodies::half_space(punch));
     // The pull-off is at -0.25 um.
     experiment.work_of_adhesion = 1e-3;
     let branches = [Branch::Advancing; 21];

@@ -64,7 +64,7 @@ fn lens() -> (Experiment, Vec<Free>) {
         film_thickness: 1e-5,
         substrate: solid(2e11, 0.25),
     };
-    let mut experiment = Experiment::new(nothing(), Bodies::Coated(system));
+    let mut experiment = Experiment::new(nothing(), Bodies::coated(&system));
     experiment.work_of_adhesion = 0.04;
     let free = [
         Parameter::SphereModulus,
@@ -85,7 +85,7 @@ fn probe() -> (Experiment, Vec<Free>) {
         film_thickness: 1e-5,
         substrate: solid(7e10, 0.2),
     };
-    let mut experiment = Experiment::new(nothing(), Bodies::Coated(system));
+    let mut experiment = Experiment::new(nothing(), Bodies::coated(&system));
     experiment.work_of_adhesion = 1e-4;
     experiment.stiffness = Some(0.2);
     let free = [
@@ -108,7 +108,7 @@ fn gel() -> (Experiment, Vec<Free>) {
         film_thickness: 1e-5,
         substrate: solid(f64::INFINITY, 0.25),
     };
-    let mut plan = Experiment::new(nothing(), Bodies::Coated(system));
+    let mut plan = Experiment::new(nothing(), Bodies::coated(&system));
     let times = (0..POINTS_IN_TIME).map(|i| 2.0 * f64::from(i) / f64::from(POINTS_IN_TIME - 1));
     plan.times = times.collect();
     let point = |(line, &t): (u64, &f64)| Point {

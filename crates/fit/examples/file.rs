@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         substrate: Elastic::new(2e11, 0.25)?,
     };
     let lens = read("crates/fit/data/lens.csv".as_ref(), &Format::default())?;
-    let mut experiment = Experiment::new(lens.measurement, Bodies::Coated(system));
+    let mut experiment = Experiment::new(lens.measurement, Bodies::coated(&system));
     experiment.noise = Some(2e-6);
     let free = [
         Free::new(Parameter::SphereModulus),

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         film_thickness: 1e-5,
         substrate: Elastic::new(2e11, 0.25)?,
     };
-    let mut experiment = Experiment::new(reading.measurement, Bodies::Coated(system));
+    let mut experiment = Experiment::new(reading.measurement, Bodies::coated(&system));
     experiment.noise = Some(5e-6);
     let mut free = vec![
         Free::new(Parameter::SphereModulus),

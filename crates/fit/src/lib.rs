@@ -3,7 +3,7 @@
 //! An [`Experiment`] is a [`Measurement`] with what is known about it: the bodies, the work of
 //! adhesion, the zeros of the instrument. [`fit`] finds the parameters that are [`Free`], by
 //! Levenberg and Marquardt's method with the exact derivatives of the crate `interp` (on a stack of
-//! layers, [`Layered`], with central differences), and returns a [`Fit`]: estimates with standard
+//! layers, [`Solver`], with central differences), and returns a [`Fit`]: estimates with standard
 //! errors, what the data do not determine, the same data without the film, and warnings. All units
 //! are SI. Loads are positive in compression.
 //!
@@ -33,7 +33,7 @@
 //!     numbering: Numbering::Lines,
 //!     points: (0..4).map(point).collect(),
 //! };
-//! let experiment = Experiment::new(measurement, Bodies::Coated(system));
+//! let experiment = Experiment::new(measurement, Bodies::coated(&system));
 //! let free = [Free::new(Parameter::SphereModulus), Free::new(Parameter::WorkOfAdhesion)];
 //! let found = fit::fit(Table::embedded(), &[experiment], &free, &Options::default())?;
 //! let modulus = found.estimate(Parameter::SphereModulus).expect("it is free");
@@ -64,7 +64,7 @@ pub use estimate::{
 };
 pub use model::{
     AreaFunction, Bodies, Branch, ContactDepth, Direction, Experiment, Fixed, Free, Indentation,
-    Interrupt, Kind, Known, LayerName, LayerQuantity, Layered, Loss, LossAngle, MOST_COEFFICIENTS,
+    Interrupt, Kind, Known, LayerName, LayerQuantity, Loss, LossAngle, MOST_COEFFICIENTS,
     Measurement, NamedLayer, Numbering, Options, Parameter, Point, PointErrors, Prediction, Prior,
     Reach, Relaxing, Scope, Solver, simulate,
 };

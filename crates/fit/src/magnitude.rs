@@ -29,19 +29,16 @@ impl Bodies {
     /// Names what no contact has of the radius, the thickness and the moduli of the bodies, and of
     /// the work of adhesion (J/m^2) between them. Infinite moduli are rigid bodies.
     pub fn magnitudes(&self, work_of_adhesion: f64) -> Vec<Magnitude> {
-        match self {
-            Self::Coated(system) => Magnitude::of_system(system, work_of_adhesion),
-            Self::HalfSpace(half_space) => Magnitude::of_half_space(half_space, work_of_adhesion),
-            Self::Layered(layered) => {
-                let layers = layered.layers.iter().map(|named| {
-                    let layer = &named.layer;
-                    [layer.thickness, layer.solid.young()]
-                });
-                let (probe, sphere_modulus) = (&layered.probe, layered.sphere_modulus);
-                let base = layered.base.young();
-                Magnitude::of_layered(probe, sphere_modulus, base, layers, work_of_adhesion)
-            }
+        if let Some(system) = self.system() {
+            return Magnitude::of_system(&system, work_of_adhesion);
         }
+        if self.are_half_space() {
+            return Magnitude::of_half_space(&self.on(self.base), work_of_adhesion);
+        }
+        let layers = self.layers.iter().map(|named| &named.layer);
+        let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
+        let (modulus, base) = (self.sphere_modulus, self.base.young());
+        Magnitude::of_layered(&self.probe, modulus, base, layers, work_of_adhesion)
     }
 }
 
@@ -94,7 +91,7 @@ impl Experiment {
             self.measurement.kind,
             Kind::LoadRadius | Kind::PenetrationRadius
         );
-        let Probe::Paraboloid { radius } = *self.bodies.probe() else {
+        let Probe::Paraboloid { radius } = self.bodies.probe else {
             return None;
         };
         let points = self.measurement.points.iter().map(|point| point.abscissa);
@@ -117,7 +114,7 @@ impl Experiment {
     /// radius, m: the data may hardly tell the film.
     pub(crate) fn doubt_of_film(&self, [least, most]: [f64; 2]) -> Option<Magnitude> {
         let thickness = self.bodies.thickness().filter(|_| most > 0.0)?;
-        let radius = self.bodies.probe().radius();
+        let radius = self.bodies.probe.radius();
         let smaller_radius = radius.filter(|&radius| thickness > radius);
         let is_thick = smaller_radius.is_some();
         let [usual, thick] = UNSEEN;

@@ -1,8 +1,8 @@
 //! The experiments of fits and forecasts, from the attributes of the Python class.
 
 use fit::{
-    Bodies, Direction, Experiment, Kind, Layered, Measurement, NamedLayer, Numbering, Point,
-    PointErrors, Reach, Relaxing, Solver,
+    Bodies, Direction, Experiment, Kind, Measurement, NamedLayer, Numbering, Point, PointErrors,
+    Relaxing, Solver,
 };
 use interp::System;
 use numpy::PyReadonlyArray1;
@@ -112,8 +112,8 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
             let layers = NamedLayer::of_film(system);
             layered(system, layers, &measurement, stick, solvers)
         }
-        GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
-        GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
+        GivenBodies::Coated(system) => Bodies::coated(&system.get().0),
+        GivenBodies::HalfSpace(half_space) => Bodies::half_space(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
             let NativeStackSystem { named, system } = layers.get();
             let layers = NamedLayer::all(&named.stack, &named.names).or_raise(py)?;
@@ -164,13 +164,10 @@ fn layered(
     stick: Option<Solver>,
     solvers: &ContactsOnLayers,
 ) -> Bodies {
-    Bodies::Layered(Layered {
-        reach: Reach::of(measurement, &system.probe),
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
+    Bodies {
         layers,
         solver: stick.unwrap_or_else(|| solvers.frictionless.clone()),
         interrupt: solvers.interrupt(),
-    })
+        ..Bodies::bare(measurement, system.without_film())
+    }
 }

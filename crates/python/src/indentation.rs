@@ -1,6 +1,6 @@
 //! What is known of a measurement of contact stiffness, from Python.
 
-use fit::{AreaFunction, Bodies, ContactDepth, Error, Experiment, Indentation, Layered};
+use fit::{AreaFunction, Bodies, ContactDepth, Error, Experiment, Indentation};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -44,20 +44,16 @@ impl GivenIndentation {
         if !self.reference {
             return Ok(());
         }
-        let Bodies::HalfSpace(half_space) = &experiment.bodies else {
+        let bodies = &experiment.bodies;
+        if !bodies.are_half_space() {
             let refused = Err::<(), _>(Error::Setting {
                 name: format!("reference of {}", experiment.measurement.name),
                 value: 1.0,
                 allowed: "false, unless the system is a HalfSpace".into(),
             });
             return refused.or_raise(py);
-        };
-        experiment.bodies = Bodies::Layered(Layered::bare(
-            &experiment.measurement,
-            &half_space.probe,
-            half_space.sphere_modulus,
-            half_space.solid,
-        ));
+        }
+        experiment.bodies = Bodies::bare(&experiment.measurement, bodies.on(bodies.base));
         Ok(())
     }
 }

@@ -7,9 +7,7 @@ use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate};
 use interp::{System, Table};
 
 use super::{at_loads, at_radii, oxide};
-use crate::imagined::{
-    assert_warns, coated, fit_all, fitted, free_of, measurement_at, number_after, text,
-};
+use crate::imagined::{assert_warns, fit_all, fitted, free_of, measurement_at, number_after, text};
 use crate::layers::{layer, modulus_of, on_layers};
 
 /// Contacts of a fifth of the thickness of the top layer and of seven tenths of it.
@@ -43,7 +41,7 @@ fn a_contact_that_is_deep_in_the_top_layer_is_doubted() {
 fn the_depth_of_a_plastic_contact_is_said() {
     let depths = (0..20).map(|i| 5e-8 + 1e-8 * f64::from(i));
     let depths = measurement_at(Kind::StiffnessDepth, depths);
-    let mut plan = Experiment::new(depths, Bodies::Coated(oxide()));
+    let mut plan = Experiment::new(depths, Bodies::coated(&oxide()));
     plan.indentation.hardness = Some(8e8);
     let mut made = simulate(Table::embedded(), &plan, 0.0, 5).expect("a contact");
     made.noise = Some(1e-3);
@@ -61,9 +59,8 @@ fn the_depth_of_a_plastic_contact_is_said() {
 #[test]
 fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
     let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
-    let system = coated(&mut exact);
-    system.sphere_modulus = f64::INFINITY;
-    system.substrate = solid(f64::INFINITY, 0.25);
+    exact.bodies.sphere_modulus = f64::INFINITY;
+    exact.bodies.base = solid(f64::INFINITY, 0.25);
     for point in &mut exact.measurement.points {
         point.ordinate = 0.0;
     }

@@ -35,7 +35,7 @@ fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
             [a, stiffness * get(i, "phase").cos()]
         };
         let points = (0..3).map(point).collect();
-        let mut measured = experiment(Kind::StiffnessRadius, Bodies::Coated(system), points);
+        let mut measured = experiment(Kind::StiffnessRadius, Bodies::coated(&system), points);
         measured.indentation.phases = (0..3).map(|i| get(i, "phase")).collect();
         measured.noise = Some(1e-3);
         let found = fitted(measured, [Parameter::FilmModulus]).expect("sound data");

@@ -106,7 +106,7 @@ pub fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
     let contact = solved(system, radii);
     let point = |a| [a, contact.stiffness(a).expect("in range")];
     let points = evenly(radii, count).map(point).collect();
-    let bodies = Bodies::Coated(system.clone());
+    let bodies = Bodies::coated(system);
     experiment(Kind::StiffnessRadius, bodies, points)
 }
 
@@ -213,7 +213,7 @@ fn at_elastic_loads(system: &System, contact: &Contact, radii: [f64; 2], w: f64)
     };
     let points = evenly(radii, 40).map(point);
     let points = points.filter(|[load, _]| *load > 0.0).collect();
-    let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(system.clone()), points);
+    let mut exact = experiment(Kind::StiffnessLoad, Bodies::coated(system), points);
     exact.work_of_adhesion = w;
     exact
 }
@@ -268,7 +268,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
     };
     let system = oxide();
     let contact = solved(&system, [8e-8, 5e-7]);
-    let film = at_depths(Bodies::Coated(system.clone()), &contact, &known, 1e10);
+    let film = at_depths(Bodies::coated(&system), &contact, &known, 1e10);
     let bare = Contact::half_space(&system.without_film()).expect("physical");
     let reference = at_depths(on_layers(&system, &[]), &bare, &known, 1.2e10);
     let definition = [WarningKind::ContactDepth, WarningKind::Friction];
@@ -295,7 +295,7 @@ fn a_stack_of_one_layer_is_a_film() {
             _ => ([5e-8, 3e-7], 0.3),
         };
         let abscissae = measurement_at(kind, evenly(range, 12));
-        let mut plan = Experiment::new(abscissae, Bodies::Coated(system.clone()));
+        let mut plan = Experiment::new(abscissae, Bodies::coated(&system));
         plan.indentation.hardness = Some(1e10);
         plan.indentation.thinning = thinning;
         let table = Table::embedded();
@@ -357,7 +357,7 @@ fn doubts_of_metals_are_named() {
     };
     let contact = solved(&system, [8e-8, 2e-6]);
     let known = Indentation::NEW;
-    let mut metal = at_depths(Bodies::Coated(system), &contact, &known, 8e8);
+    let mut metal = at_depths(Bodies::coated(&system), &contact, &known, 8e8);
     metal.noise = Some(0.01);
     let found = fitted(metal.clone(), [Parameter::FilmModulus]).expect("sound data");
     let words = "oliver-pharr; loubet; plastic; pile up; film-modulus";
@@ -424,7 +424,7 @@ fn the_deviation_at_a_depth_is_that_of_the_difference_from_the_fit() {
     let system = oxide();
     let known = Indentation::NEW;
     let contact = solved(&system, [8e-8, 5e-7]);
-    let mut made = at_depths(Bodies::Coated(system), &contact, &known, 1e10);
+    let mut made = at_depths(Bodies::coated(&system), &contact, &known, 1e10);
     made.noise = Some(NOISE);
     let found = fitted(made.clone(), [Parameter::FilmModulus]).expect("sound data");
     let points = &found.experiments[0].points;

@@ -57,7 +57,7 @@ pub fn forecast(
                 return Err(experiment.wrong_setting(parameter, 0.0, allowed));
             }
             if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
-                && let Some(layer) = experiment.layer(name)
+                && let Some(layer) = experiment.bodies.layer(name)
                 && layer.interface_stiffness().is_none()
             {
                 let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \

@@ -6,7 +6,7 @@ use super::minima::minimum::Minimum;
 use super::problem::Problem;
 use super::start::relaxing_start::accept_zeros;
 use crate::statistics::range;
-use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
+use crate::{Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
 const INTERVALS: f64 = 2.0;
@@ -129,9 +129,10 @@ pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>,
             found.steps_error, fit.experiments[e].noise
         )));
     }
-    if let Bodies::Coated(system) = &experiment.bodies
+    let bodies = &experiment.bodies;
+    if bodies.are_coated()
         && relaxing.all_bodies
-        && system.film.young() > STIFF_FILM * system.substrate.young()
+        && bodies.film().young() > STIFF_FILM * bodies.base.young()
     {
         warnings.push(WarningKind::TensileInside.with(format!(
             "{name}: a film more than {STIFF_FILM} times as stiff as a substrate that relaxes with it may \

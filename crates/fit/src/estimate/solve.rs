@@ -148,8 +148,7 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
     if problem.ending != Ending::Converged || found.uncertainty.is_none() || open.is_empty() {
         return Ok(());
     }
-    let is_punch =
-        |one: &Assigned| matches!(one.experiment.bodies.probe(), Probe::FlatPunch { .. });
+    let is_punch = |one: &Assigned| matches!(one.experiment.bodies.probe, Probe::FlatPunch { .. });
     let is_work = |&slot: &usize| problem.slots[slot].parameter.is_work_of_adhesion();
     Err(Error::NotDetermined {
         parameters: names_of(problem, &open),

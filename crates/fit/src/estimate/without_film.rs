@@ -1,6 +1,6 @@
 //! The same data without the film.
 
-use interp::{HalfSpace, Table};
+use interp::Table;
 
 use super::minima::minimum::Minimum;
 use super::problem::slot::Slot;
@@ -37,13 +37,9 @@ pub(crate) fn without_film<'a>(
             // A bare reference sample has no film to be left out.
             continue;
         }
-        let half_space = HalfSpace {
-            probe: bodies.probe().clone(),
-            sphere_modulus: bodies.sphere_modulus(),
-            solid: of_film.map_or(base, |_| bodies.film()),
-        };
+        let half_space = bodies.on(of_film.map_or(base, |_| bodies.film()));
         half_space.compound_modulus().ok()?;
-        one.experiment.bodies = Bodies::HalfSpace(half_space);
+        one.experiment.bodies = Bodies::half_space(half_space);
     }
     let kept = |parameter: Parameter| {
         Some(parameter) == of_film

@@ -1,76 +1,125 @@
-//! Probe, film and substrate of an experiment, and their contact.
+//! The bodies of an experiment, and their contact.
 
 use contact::{Contact, Input, Validity};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
-use solve::stack::{Interface, Stack};
+use solve::stack::Stack;
 
-use super::{LayerName, LayerQuantity, Layered, NamedLayer, Parameter};
+use super::{
+    Interrupt, LayerName, LayerQuantity, Measurement, NamedLayer, Parameter, Reach, Solver,
+};
 use crate::Error;
 use crate::statistics::zero;
 
-/// The bodies in contact.
+/// The bodies in contact: a probe on a film, on a stack of layers, or on a half-space.
+///
+/// A film is a single layer without a name. The parameters of the film are those of this layer, or of the half-space;
+/// those of other layers have their names.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Bodies {
-    /// A probe on a film on a substrate.
-    Coated(System),
-    /// A probe on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
-    /// those of the half-space.
-    HalfSpace(HalfSpace),
-    /// A probe on a stack of layers. The parameters of the film do not apply; those of the layers
-    /// do.
-    Layered(Layered),
+pub struct Bodies {
+    /// The shape of the probe. On layers it is [`Probe::Paraboloid`] or [`Probe::FlatPunch`].
+    pub probe: Probe,
+    /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
+    pub sphere_modulus: f64,
+    /// The substrate, the base of the layers, or the half-space; with an infinite modulus it is rigid.
+    pub base: Elastic,
+    /// The layers, from the base up. The probe touches the last one.
+    pub layers: Vec<NamedLayer>,
+    /// How contacts are made.
+    pub solver: Solver,
+    /// Up to which contact radii contacts on layers are needed.
+    pub reach: Reach,
+    /// Whether somebody no longer waits for the contacts.
+    pub interrupt: Interrupt,
 }
 
 impl Bodies {
-    /// Returns the shape of the probe.
-    pub const fn probe(&self) -> &Probe {
-        match self {
-            Self::Coated(system) => &system.probe,
-            Self::HalfSpace(half_space) => &half_space.probe,
-            Self::Layered(layered) => &layered.probe,
+    /// Takes a probe on a film on a substrate.
+    pub fn coated(system: &System) -> Self {
+        Self {
+            layers: NamedLayer::of_film(system),
+            solver: Solver::Film,
+            ..Self::half_space(system.without_film())
         }
     }
 
-    /// Returns the probe, to be changed.
-    pub const fn probe_mut(&mut self) -> &mut Probe {
-        match self {
-            Self::Coated(system) => &mut system.probe,
-            Self::HalfSpace(half_space) => &mut half_space.probe,
-            Self::Layered(layered) => &mut layered.probe,
+    /// Takes a probe on a half-space: JKR, or Hertz without adhesion.
+    pub fn half_space(bare: HalfSpace) -> Self {
+        Self {
+            probe: bare.probe,
+            sphere_modulus: bare.sphere_modulus,
+            base: bare.solid,
+            layers: Vec::new(),
+            solver: Solver::HalfSpace,
+            reach: Reach::up_to(0.0),
+            interrupt: Interrupt::default(),
         }
     }
 
-    /// Returns the reduced modulus of the probe, Pa.
-    pub(crate) const fn sphere_modulus(&self) -> f64 {
-        match self {
-            Self::Coated(system) => system.sphere_modulus,
-            Self::HalfSpace(half_space) => half_space.sphere_modulus,
-            Self::Layered(layered) => layered.sphere_modulus,
+    /// Takes the base without layers, of which any probe has a contact stiffness. It has no parameter of a film.
+    pub fn bare(measurement: &Measurement, base: HalfSpace) -> Self {
+        Self {
+            solver: Solver::Direct,
+            reach: Reach::of(measurement, &base.probe),
+            ..Self::half_space(base)
         }
+    }
+
+    /// Tells whether the probe is on a film in the table of a fit.
+    pub fn are_coated(&self) -> bool {
+        self.solver == Solver::Film
+    }
+
+    /// Tells whether the probe is on a half-space.
+    pub fn are_half_space(&self) -> bool {
+        self.solver == Solver::HalfSpace
+    }
+
+    /// Tells whether the contacts are those on layers, which have no exact derivatives.
+    pub fn are_layered(&self) -> bool {
+        !self.are_coated() && !self.are_half_space()
     }
 
     /// Returns the substrate or the base of the layers; `None` on a half-space.
-    pub const fn base(&self) -> Option<Elastic> {
-        match self {
-            Self::Coated(system) => Some(system.substrate),
-            Self::HalfSpace(_) => None,
-            Self::Layered(layered) => Some(layered.base),
-        }
+    pub fn base(&self) -> Option<Elastic> {
+        (!self.are_half_space()).then_some(self.base)
     }
 
-    /// Returns the layers on the base, where a film is bonded; `None` on a half-space, and for layers that
-    /// cannot be.
-    pub(crate) fn stack(&self) -> Option<Stack> {
-        match self {
-            Self::Coated(system) => Stack::of_film(system, Interface::Bonded).ok(),
-            Self::HalfSpace(_) => None,
-            Self::Layered(layered) => layered.stack().ok(),
+    /// Returns the layers on their base.
+    ///
+    /// # Errors
+    /// Those of [`Stack::new`].
+    pub fn stack(&self) -> Result<Stack, solve::Error> {
+        let layers = self.layers.iter().map(|named| named.layer);
+        Stack::new(self.base, layers.collect::<Vec<_>>())
+    }
+
+    /// Returns the film on its substrate; `None` of other bodies.
+    pub(crate) fn system(&self) -> Option<System> {
+        let [NamedLayer { name: None, layer }] = self.layers[..] else {
+            return None;
+        };
+        let is_film = self.are_coated() && layer.interface.is_bonded();
+        is_film.then(|| System {
+            probe: self.probe.clone(),
+            sphere_modulus: self.sphere_modulus,
+            film: layer.solid,
+            film_thickness: layer.thickness,
+            substrate: self.base,
+        })
+    }
+
+    /// Returns the probe on a half-space of a `solid`.
+    pub fn on(&self, solid: Elastic) -> HalfSpace {
+        HalfSpace {
+            probe: self.probe.clone(),
+            sphere_modulus: self.sphere_modulus,
+            solid,
         }
     }
 
     /// Returns the contact radius (m) that every contact must be below.
     pub(crate) const fn largest_radius(&self) -> f64 {
-        match self.probe() {
+        match &self.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => *radius,
             Probe::Profile(profile) => profile.end(),
             _ => f64::INFINITY,
@@ -79,8 +128,8 @@ impl Bodies {
 
     /// Returns the largest contact radius (m) up to which an exact sphere is solved on a film; `None` for other bodies.
     pub(crate) fn end_of_exact_sphere(&self) -> Option<f64> {
-        match (self, self.probe()) {
-            (Self::Coated(_), Probe::Sphere { radius }) => {
+        match self.probe {
+            Probe::Sphere { radius } if self.are_coated() => {
                 Some(Validity::EXACT_SPHERE_A_OVER_R * radius)
             }
             _ => None,
@@ -91,7 +140,7 @@ impl Bodies {
     /// contact of the radius and the penetration of this probe. `size` is the contact radius or,
     /// if it is `at_penetration`, the penetration. It gives starts of fits only.
     pub(crate) fn paraboloid(&self, size: f64, at_penetration: bool) -> f64 {
-        match self.probe() {
+        match &self.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => return *radius,
             // Its load grows like the penetration, that of a paraboloid like the power 3/2: they
             // are as large at this penetration, `2 a delta = 4/3 sqrt(R) delta^(3/2)`.
@@ -99,9 +148,8 @@ impl Bodies {
             _ => {}
         }
         let bare = HalfSpace {
-            probe: self.probe().clone(),
             sphere_modulus: f64::INFINITY,
-            solid: self.film(),
+            ..self.on(self.film())
         };
         let penetration = |a: f64| {
             let contact = Contact::half_space(&bare).ok()?;
@@ -118,40 +166,46 @@ impl Bodies {
         u.exp().powi(2) / size
     }
 
-    /// Returns the film, the solid of a half-space, or the top layer.
+    /// Returns the solid that the probe touches: the film, the top layer, or the base without layers.
     pub fn film(&self) -> Elastic {
-        match self {
-            Self::Coated(system) => system.film,
-            Self::HalfSpace(half_space) => half_space.solid,
-            Self::Layered(layered) => layered.surface(),
-        }
+        self.layers.last().map_or(self.base, |top| top.layer.solid)
     }
 
-    /// Returns the thickness of the film or of all layers, m; `None` on a half-space and on a base
-    /// without layers.
-    pub(crate) fn thickness(&self) -> Option<f64> {
-        let of_top = self.top_thickness();
-        match self {
-            Self::Layered(layered) => of_top.map(|_| layered.thickness()),
-            _ => of_top,
-        }
+    /// Returns the thickness of all layers, m; `None` without layers.
+    pub fn thickness(&self) -> Option<f64> {
+        let thicknesses = self.layers.iter().map(|named| named.layer.thickness);
+        (!self.layers.is_empty()).then(|| thicknesses.sum())
     }
 
-    /// Returns the thickness of the film or of the top layer, m; `None` on a half-space.
+    /// Returns the thickness of the film or of the top layer, m; `None` without layers.
     pub(crate) fn top_thickness(&self) -> Option<f64> {
-        match self {
-            Self::Coated(system) => Some(system.film_thickness),
-            Self::HalfSpace(_) => None,
-            Self::Layered(layered) => layered.layers.last().map(|top| top.layer.thickness),
+        self.layers.last().map(|top| top.layer.thickness)
+    }
+
+    /// Returns the name of the top layer, if it has one.
+    pub(crate) fn top_name(&self) -> Option<LayerName> {
+        self.layers.last()?.name
+    }
+
+    pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
+        self.layers.iter().find(|named| named.name == Some(name))
+    }
+
+    /// Tells whether the bodies have the parameters of a film: the only layer has no name, or there is a half-space.
+    pub(crate) fn have_film(&self) -> bool {
+        match &self.layers[..] {
+            [] => self.are_half_space(),
+            [only] => only.name.is_none(),
+            _ => false,
         }
     }
 
-    /// Returns the name of the top layer of a stack, if it has one.
-    pub(crate) fn top_name(&self) -> Option<LayerName> {
-        match self {
-            Self::Layered(layered) => layered.layers.last()?.name,
-            _ => None,
-        }
+    /// Lists the parameters of the layers that have a name.
+    pub(crate) fn parameters_of_layers(&self) -> Vec<Parameter> {
+        let names = self.layers.iter().filter_map(|named| named.name);
+        names
+            .flat_map(|name| LayerQuantity::ALL.map(|what| Parameter::Layer(name, what)))
+            .collect()
     }
 
     /// Returns the modulus of the film, or of the top layer if it has a name.
@@ -175,53 +229,40 @@ impl Bodies {
         }
     }
 
-    /// Tells whether the contacts of these bodies have exact derivatives.
-    pub(crate) const fn has_derivatives(&self) -> bool {
-        !matches!(self, Self::Layered(_))
-    }
-
     /// Returns these bodies with another value of one of their parameters. Other parameters change
     /// nothing.
     pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
-        let (sphere_modulus, film, thickness) = match &mut self {
-            Self::Coated(system) => (
-                &mut system.sphere_modulus,
-                Some(&mut system.film),
-                Some(&mut system.film_thickness),
-            ),
-            Self::HalfSpace(bare) => (&mut bare.sphere_modulus, Some(&mut bare.solid), None),
-            Self::Layered(layered) => {
-                if let Parameter::Layer(name, what) = parameter {
-                    let all = layered.layers.iter_mut();
-                    all.filter(|layer| layer.name == Some(name))
-                        .try_for_each(|layer| layer.set(what, value))?;
-                }
-                let (film, thickness) = match &mut layered.layers[..] {
-                    [NamedLayer { name: None, layer }] => {
-                        (Some(&mut layer.solid), Some(&mut layer.thickness))
-                    }
-                    _ => (None, None),
+        let has_film = self.have_film();
+        let film = self.layers.first_mut().map(|film| &mut film.layer);
+        match parameter {
+            Parameter::SphereModulus => self.sphere_modulus = value,
+            Parameter::FilmModulus | Parameter::FilmPoissonRatio if has_film => {
+                let solid = film.map_or(&mut self.base, |film| &mut film.solid);
+                *solid = match parameter {
+                    Parameter::FilmModulus => Elastic::new(value, solid.poisson())?,
+                    _ => Elastic::new(solid.young(), value)?,
                 };
-                (&mut layered.sphere_modulus, film, thickness)
             }
-        };
-        match (parameter, film, thickness) {
-            (Parameter::SphereModulus, ..) => *sphere_modulus = value,
-            (Parameter::FilmModulus, Some(film), _) => {
-                *film = Elastic::new(value, film.poisson())?;
+            Parameter::FilmThickness if has_film => {
+                if let Some(film) = film {
+                    film.thickness = value;
+                }
             }
-            (Parameter::FilmPoissonRatio, Some(film), _) => {
-                *film = Elastic::new(film.young(), value)?;
+            Parameter::Layer(name, what) => {
+                let mut all = self.layers.iter_mut();
+                all.try_for_each(|layer| match layer.name == Some(name) {
+                    true => layer.set(what, value),
+                    false => Ok(()),
+                })?;
             }
-            (Parameter::FilmThickness, _, Some(thickness)) => *thickness = value,
             _ => {}
         }
         Ok(self)
     }
 
     /// Returns the input of the contact that a parameter is.
-    pub(crate) const fn input(&self, parameter: Parameter) -> Option<Input> {
-        let coated = matches!(self, Self::Coated(_));
+    pub(crate) fn input(&self, parameter: Parameter) -> Option<Input> {
+        let coated = self.are_coated();
         Some(match parameter {
             Parameter::SphereModulus => Input::SphereModulus,
             Parameter::FilmModulus if coated => Input::FilmModulus,
@@ -233,16 +274,27 @@ impl Bodies {
         })
     }
 
-    /// Makes the contact, with the derivatives with respect to some parameters. Contacts on layers have none.
+    /// Makes the contact, with the derivatives with respect to some parameters. Contacts on layers have none: those of a
+    /// fit are differences of contacts.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`]; [`Error::Layer`] for a layer with a name; [`Error::OtherLayers`]; those of
+    /// the solve and of the lookup, and of [`Contact::new`].
     pub(crate) fn contact(&self, table: &Table, by: &[Parameter]) -> Result<Contact, Error> {
-        Ok(match self {
-            Self::Coated(system) if by.is_empty() => Contact::in_table(table, system)?,
-            Self::Coated(system) => {
-                let inputs: Vec<Input> = by.iter().filter_map(|&one| self.input(one)).collect();
-                Contact::in_table_with_derivatives(table, system, &inputs)?
-            }
-            Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
-            Self::Layered(layered) => super::solver::contact(layered)?,
-        })
+        if self.interrupt.is_requested() {
+            return Err(Error::Interrupted);
+        }
+        if let Some(system) = self.system() {
+            let inputs: Vec<Input> = by.iter().filter_map(|&one| self.input(one)).collect();
+            return Ok(match by {
+                [] => Contact::in_table(table, &system)?,
+                _ => Contact::in_table_with_derivatives(table, &system, &inputs)?,
+            });
+        }
+        let needs_no_layer = matches!(self.solver, Solver::HalfSpace | Solver::Direct);
+        if needs_no_layer && self.layers.is_empty() {
+            return Ok(Contact::half_space(&self.on(self.base))?);
+        }
+        super::solver::on_layers(self)
     }
 }

@@ -42,7 +42,7 @@ impl Experiment {
             return self.predict_history(contact_of, parameters);
         }
         let is_stiffness = self.measurement.kind.is_stiffness();
-        if !is_stiffness && (parameters.is_empty() || self.bodies.has_derivatives()) {
+        if !is_stiffness && (parameters.is_empty() || !self.bodies.are_layered()) {
             let contact = contact_of(&self.bodies, parameters)?;
             match self.predict(&contact, branches, order, parameters) {
                 Err(error) if !parameters.is_empty() && is_beyond_nodes(&error) => {}
@@ -73,7 +73,7 @@ impl Experiment {
         branch: Branch,
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, Error> {
-        if self.bodies.has_derivatives() {
+        if !self.bodies.are_layered() {
             let contact = contact_of(&self.bodies, columns)?;
             match self.branch_end(&contact, branch, columns) {
                 Err(error) if is_beyond_nodes(&error) => {}

@@ -3,10 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::{
-    Bodies, Indentation, Kind, LayerName, Measurement, NamedLayer, Parameter, PointErrors,
-    Relaxing, Solver,
-};
+use super::{Bodies, Indentation, Kind, Measurement, Parameter, PointErrors, Relaxing, Solver};
 use crate::Error;
 
 /// A measurement with all that is known about it.
@@ -87,14 +84,11 @@ impl Experiment {
     /// a film, a layer that is not there, a stiffness that is not given, a receding work of
     /// adhesion that is not its own.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
-        if let Bodies::Layered(layered) = &self.bodies
-            && layered.film().is_none()
-            && parameter.is_of_film()
-        {
+        if parameter.is_of_film() && !self.bodies.have_film() {
             return None;
         }
         Some(match parameter {
-            Parameter::SphereModulus => self.bodies.sphere_modulus(),
+            Parameter::SphereModulus => self.bodies.sphere_modulus,
             Parameter::FilmModulus => self.bodies.film().young(),
             Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
             Parameter::FilmThickness => self.bodies.top_thickness()?,
@@ -108,16 +102,9 @@ impl Experiment {
             Parameter::Hardness => return self.indentation.hardness,
             Parameter::TipRounding => self.indentation.tip_rounding,
             Parameter::FrameCompliance => self.indentation.frame_compliance,
-            Parameter::Layer(name, what) => return self.layer(name)?.get(what),
+            Parameter::Layer(name, what) => return self.bodies.layer(name)?.get(what),
             Parameter::Law(own) => return self.relaxing.as_ref()?.law.parameter(own),
         })
-    }
-
-    pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
-        match &self.bodies {
-            Bodies::Layered(layered) => layered.layer(name),
-            _ => None,
-        }
     }
 
     /// Replaces the value of a parameter. Another stiffness changes the forces, too, if they are
@@ -204,36 +191,35 @@ impl Experiment {
         if let Some(reason) = self.why_not_relaxing(parameter) {
             return Some(reason.into());
         }
-        match (&self.bodies, parameter) {
-            (Bodies::HalfSpace(_), Parameter::FilmThickness) => {
-                Some("a half-space has no thickness".into())
+        let bodies = &self.bodies;
+        let names = || match Parameter::names(bodies.parameters_of_layers()) {
+            none if none.is_empty() => "give a layer a name to fit its modulus or thickness".into(),
+            names => format!("its layers have {names}"),
+        };
+        let reason = match parameter {
+            Parameter::FilmThickness if bodies.are_half_space() => "a half-space has no thickness",
+            Parameter::WorkOfAdhesionReceding if matches!(bodies.solver, Solver::Stick { .. }) => {
+                "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
+                 keeps: give this ratio to the solver, and points of retract only"
             }
-            (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
-                let sticks = matches!(layered.solver, Solver::Stick { .. });
-                sticks.then_some(Cow::Borrowed(
-                    "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
-                     keeps: give this ratio to the solver, and points of retract only",
-                ))
+            _ if parameter.is_of_film() && !bodies.have_film() => {
+                return Some(format!("it has layers instead of one film; {}", names()).into());
             }
-            (Bodies::Layered(layered), parameter)
-                if parameter.is_of_film() && layered.film().is_none() =>
-            {
-                Some(format!("it has layers instead of one film; {}", layered.names()).into())
+            Parameter::Layer(name, _) if bodies.layer(name).is_some() => return None,
+            Parameter::Layer(..) if bodies.are_layered() => {
+                return Some(format!("there is no such layer; {}", names()).into());
             }
-            (Bodies::Layered(layered), Parameter::Layer(name, _)) => {
-                let is_there = layered.layer(name).is_some();
-                (!is_there).then(|| format!("there is no such layer; {}", layered.names()).into())
+            Parameter::Layer(..) => {
+                "it has no stack of layers; give one, or free the parameters of the film"
             }
-            (_, Parameter::Layer(..)) => Some(
-                "it has no stack of layers; give one, or free the parameters of the film".into(),
-            ),
-            _ => None,
-        }
+            _ => return None,
+        };
+        Some(reason.into())
     }
 
     /// Tells whether nobody waits any longer for the contacts of the experiment.
     pub(crate) fn is_interrupted(&self) -> bool {
-        matches!(&self.bodies, Bodies::Layered(layered) if layered.interrupt.is_requested())
+        self.bodies.interrupt.is_requested()
     }
 
     /// Returns why a parameter has no effect on this experiment, if it has none.
@@ -271,12 +257,7 @@ impl Experiment {
             Parameter::Stiffness if kind != Kind::ForceHeight => {
                 "no height of a cantilever is measured"
             }
-            Parameter::Layer(..) => {
-                let Bodies::Layered(layered) = &self.bodies else {
-                    return None;
-                };
-                layered.solver.why_layers_are_fixed()?
-            }
+            Parameter::Layer(..) => self.bodies.solver.why_layers_are_fixed()?,
             _ => return None,
         };
         Some(reason.into())

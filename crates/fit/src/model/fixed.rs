@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use interp::{Elastic, Probe, System};
+use interp::{Elastic, Probe};
 
-use super::{Bodies, Experiment, LayerName, LayerQuantity, Layered, Parameter, Reach, Relaxing};
+use super::{Experiment, LayerName, LayerQuantity, Parameter, Reach, Relaxing};
 use crate::Error;
 use units::Dimension;
 
@@ -126,19 +126,17 @@ impl Experiment {
             Fixed::SubstratePoissonRatio,
         ];
         let mut parameters = Parameter::ALL.to_vec();
-        if let Bodies::Layered(layered) = &self.bodies {
-            parameters.extend(layered.parameters());
-            // The parameters of a film are its own.
-            let stacked = layered.film().is_none().then_some(&layered.layers);
-            for (i, layer) in stacked.into_iter().flatten().enumerate() {
-                match layer.name {
-                    Some(name) => all.push(Fixed::NamedPoissonRatio(name)),
-                    None => all.extend([
-                        Fixed::Layer(i + 1, LayerQuantity::Modulus),
-                        Fixed::Layer(i + 1, LayerQuantity::Thickness),
-                        Fixed::LayerPoissonRatio(i + 1),
-                    ]),
-                }
+        parameters.extend(self.bodies.parameters_of_layers());
+        // The parameters of a film are its own.
+        let stacked = (!self.bodies.have_film()).then_some(&self.bodies.layers);
+        for (i, layer) in stacked.into_iter().flatten().enumerate() {
+            match layer.name {
+                Some(name) => all.push(Fixed::NamedPoissonRatio(name)),
+                None => all.extend([
+                    Fixed::Layer(i + 1, LayerQuantity::Modulus),
+                    Fixed::Layer(i + 1, LayerQuantity::Thickness),
+                    Fixed::LayerPoissonRatio(i + 1),
+                ]),
             }
         }
         all.push(Fixed::Beta);
@@ -152,10 +150,7 @@ impl Experiment {
     /// and that it takes as given.
     pub(crate) fn fixed(&self, free: &[Parameter]) -> Vec<Fixed> {
         // The layers of a table are those of its file.
-        let in_table = matches!(
-            &self.bodies,
-            Bodies::Layered(layered) if layered.solver.why_layers_are_fixed().is_some()
-        );
+        let in_table = self.bodies.solver.why_layers_are_fixed().is_some();
         let matters = |one: &Fixed| {
             let is_kind = match one {
                 Fixed::Parameter(parameter) => {
@@ -182,10 +177,8 @@ impl Experiment {
     /// ratio of a rigid body.
     pub fn value_of(&self, one: Fixed) -> Option<f64> {
         let substrate = self.bodies.base();
-        let layer = |number: usize| match &self.bodies {
-            Bodies::Layered(layered) => layered.layers.get(number.wrapping_sub(1)),
-            _ => None,
-        };
+        let numbered = self.bodies.are_layered().then_some(&self.bodies.layers);
+        let layer = |number: usize| numbered?.get(number.wrapping_sub(1));
         let poisson = |solid: Elastic| solid.young().is_finite().then(|| solid.poisson());
         match one {
             Fixed::Parameter(Parameter::FilmPoissonRatio) => {
@@ -193,7 +186,7 @@ impl Experiment {
                 poisson(self.bodies.film())
             }
             Fixed::Parameter(parameter) => self.get(parameter),
-            Fixed::SphereRadius => self.bodies.probe().radius(),
+            Fixed::SphereRadius => self.bodies.probe.radius(),
             Fixed::Beta => self
                 .measurement
                 .kind
@@ -203,7 +196,7 @@ impl Experiment {
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
             Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
-            Fixed::NamedPoissonRatio(name) => poisson(self.layer(name)?.layer.solid),
+            Fixed::NamedPoissonRatio(name) => poisson(self.bodies.layer(name)?.layer.solid),
         }
     }
 
@@ -238,42 +231,35 @@ impl Experiment {
             _ => {}
         }
         self.replace_fixed(one, value)?;
-        if let (Fixed::SphereRadius, Bodies::Layered(layered)) = (one, &mut self.bodies) {
-            layered.reach = Reach::of(&self.measurement, &layered.probe);
+        if one == Fixed::SphereRadius {
+            self.bodies.reach = Reach::of(&self.measurement, &self.bodies.probe);
         }
         Ok(())
     }
 
     /// Replaces a value that is there.
     pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), contact::Error> {
-        match (one, &mut self.bodies) {
-            (Fixed::Parameter(parameter), _) => self.replace(parameter, value)?,
-            (Fixed::Beta, _) => self.indentation.beta = value,
-            (Fixed::SphereRadius, bodies) => {
+        match one {
+            Fixed::Parameter(parameter) => self.replace(parameter, value)?,
+            Fixed::Beta => self.indentation.beta = value,
+            Fixed::SphereRadius => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
                 | Probe::RoundedCone { radius, .. }
                 | Probe::FlatPunch { radius }
-                | Probe::FlatEndedCone { radius, .. } = bodies.probe_mut()
+                | Probe::FlatEndedCone { radius, .. } = &mut self.bodies.probe
                 {
                     *radius = value;
                 }
             }
-            (
-                Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio,
-                Bodies::Coated(System {
-                    substrate: solid, ..
-                })
-                | Bodies::Layered(Layered { base: solid, .. }),
-            ) => {
-                *solid = if one.is_poisson_ratio() {
-                    Elastic::new(solid.young(), value)?
-                } else {
-                    Elastic::new(value, solid.poisson())?
-                };
+            Fixed::SubstrateModulus => {
+                self.bodies.base = Elastic::new(value, self.bodies.base.poisson())?;
             }
-            (_, Bodies::Layered(layered)) => {
-                for (number, named) in (1..).zip(&mut layered.layers) {
+            Fixed::SubstratePoissonRatio => {
+                self.bodies.base = Elastic::new(self.bodies.base.young(), value)?;
+            }
+            _ => {
+                for (number, named) in (1..).zip(&mut self.bodies.layers) {
                     let solid = &mut named.layer.solid;
                     match one {
                         Fixed::Layer(own, what) if own == number => named.set(what, value)?,
@@ -287,7 +273,6 @@ impl Experiment {
                     }
                 }
             }
-            _ => {}
         }
         Ok(())
     }

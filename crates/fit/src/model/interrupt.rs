@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-/// Asked before every contact on [layers](crate::Layered), and at the end of a fit: once the answer is
+/// Asked before every contact of [bodies](crate::Bodies), and at the end of a fit: once the answer is
 /// yes, no contact is made, and the fit soon ends as [`Error::Interrupted`](crate::Error::Interrupted).
 /// The answer must then stay yes. The default answers no.
 #[derive(Clone, Default)]

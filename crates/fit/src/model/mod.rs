@@ -5,7 +5,7 @@
 //! and how, `fixed` what is taken as given. `assign` reads the `branch` of each point from the data,
 //! and finds loading and unloading; `split` tells where contact and baseline meet, on a baseline whose
 //! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `predictor`, `readings`
-//! and, under adhesion hysteresis, `turn`; `layered` is a stack of layers, `solver` makes its contacts,
+//! and, under adhesion hysteresis, `turn`; `bodies` are what touches, `layer` is one of their layers, `solver` makes contacts on layers,
 //! `interrupt` stops them, and `differences` makes the derivatives on it. `relaxing` predicts the
 //! points in time where the bodies relax, and `program` takes the noise off what is imposed on them by
 //! `straight_lines`. `indentation` is contact stiffness as a measurement. `simulate` makes synthetic
@@ -21,7 +21,7 @@ mod fixed;
 mod free;
 mod indentation;
 mod interrupt;
-mod layered;
+mod layer;
 mod measurement;
 mod parameter;
 mod predict;
@@ -50,7 +50,7 @@ pub(crate) use free::has_no_start;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
 pub use interrupt::Interrupt;
-pub use layered::{LayerName, Layered, NamedLayer, Reach};
+pub use layer::{LayerName, NamedLayer};
 pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
 pub use parameter::{LayerQuantity, Parameter};
 pub(crate) use predicted::{Predicted, ends_of_radii};
@@ -58,4 +58,4 @@ pub use prediction::Prediction;
 pub(crate) use program::Program;
 pub use relaxing::Relaxing;
 pub use simulate::simulate;
-pub use solver::Solver;
+pub use solver::{Reach, Solver};

@@ -6,7 +6,7 @@ use interp::{Elastic, Probe, Table};
 use super::differences::ContactOf;
 use super::predicted::Predicted;
 use super::program::Program;
-use super::{Bodies, Branch, Experiment, Parameter};
+use super::{Branch, Experiment, Parameter};
 use crate::Error;
 use crate::statistics::range;
 
@@ -86,7 +86,7 @@ impl Experiment {
             let what = "the number of relaxation times";
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
-        if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
+        if matches!(self.bodies.probe, Probe::FlatPunch { .. }) {
             return Err(self.not_fitted(
                 "a relaxation function is fitted under probes whose contact grows, and that of a flat punch does not",
             ));
@@ -135,7 +135,7 @@ impl Experiment {
                  begins before the contact, and check that no two columns are swapped",
             ));
         }
-        if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
+        if self.bodies_do_not_relax() && self.bodies.are_layered() {
             return Err(Error::DifferentBodies(name.clone()));
         }
         Ok(())
@@ -173,23 +173,19 @@ impl Experiment {
                 .base()
                 .is_some_and(|base| base.young().is_finite())
         };
-        !all && (self.bodies.sphere_modulus().is_finite() || base_deforms())
+        !all && (self.bodies.sphere_modulus.is_finite() || base_deforms())
     }
 
     /// Returns the contact between a rigid probe and a rigid base, where one of them deforms and
     /// does not relax.
     pub(crate) fn beside_rigid(&self, table: &Table) -> Result<Option<Contact>, Error> {
-        if !self.bodies_do_not_relax() {
+        if !self.bodies_do_not_relax() || self.bodies.are_layered() {
             return Ok(None);
         }
         let mut rigid = self.bodies.clone();
-        match &mut rigid {
-            Bodies::Coated(system) => {
-                system.sphere_modulus = f64::INFINITY;
-                system.substrate = Elastic::new(f64::INFINITY, system.substrate.poisson())?;
-            }
-            Bodies::HalfSpace(half_space) => half_space.sphere_modulus = f64::INFINITY,
-            Bodies::Layered(_) => return Ok(None),
+        rigid.sphere_modulus = f64::INFINITY;
+        if let Some(base) = rigid.base() {
+            rigid.base = Elastic::new(f64::INFINITY, base.poisson())?;
         }
         rigid.contact(table, &[]).map(Some)
     }
@@ -231,7 +227,7 @@ impl Experiment {
             return Err(Error::nothing("relaxation function"));
         };
         let points = &self.measurement.points;
-        let exact = self.bodies.has_derivatives();
+        let exact = !self.bodies.are_layered();
         let contact = contact_of(&self.bodies, if exact { parameters } else { &[] })?;
         let program = self.program();
         let (mut inputs, mut law): (Vec<Input>, Vec<LawParameter>) = (Vec::new(), Vec::new());

@@ -1,15 +1,17 @@
-//! The ways in which contacts on layers are made.
+//! The ways in which contacts are made.
 
+use std::mem::discriminant;
 use std::sync::Arc;
 
 use contact::Contact;
-use interp::{Curve, HalfSpace, System, Table};
+use interp::{Curve, Probe, System, Table};
 use solve::stack::{MOST_A_OVER_TOP, Stack};
 use solve::stick::{MOST_OF_TIP, StickCurves, Sticking};
 use solve::{A_OVER_T, stack_curve};
 
-use super::layered::{Layered, MARGIN, Reach};
+use super::{Bodies, Kind, Measurement};
 use crate::Error;
+use crate::statistics::extremes;
 
 /// The relative tolerance of the quantities that are solved for. Differences of contacts, which stand
 /// for derivatives, need a smaller one than a fit alone.
@@ -23,13 +25,64 @@ const BEGIN: f64 = 1e-4;
 /// Wider contacts take much longer.
 const OVER_TOP: f64 = 300.0;
 
-/// How contacts on [layers](Layered) are made.
+/// The factor by which the largest contact radius at a measured radius is exceeded, so that the
+/// slopes there are known.
+const MARGIN: f64 = 1.2;
+
+/// The contact radius over `sqrt(R D)` that no contact is expected to exceed on the way `D`, the
+/// range of the penetrations or heights. Of a thin incompressible layer on a rigid base without
+/// adhesion it is 2; JKR's contact at the end of a pull to the pull-off has 1.5.
+const WIDEST: f64 = 3.0;
+
+/// Up to which contact radii the contacts on layers are needed, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// Contacts as wide as this one are needed.
+    pub needed: f64,
+    /// No contact is expected to be wider than this one. Contacts are computed so far where that
+    /// takes no long time.
+    pub expected: f64,
+}
+
+impl Reach {
+    /// Returns the reach up to a contact radius, m.
+    pub(crate) const fn up_to(needed: f64) -> Self {
+        let expected = needed;
+        Self { needed, expected }
+    }
+
+    /// Returns the reach that a measurement needs under a probe.
+    ///
+    /// At measured contact radii it is a little more than the largest of them. Against penetrations
+    /// or heights it is estimated from their range and from the radius of the probe.
+    /// A flat punch has one contact radius.
+    pub fn of(measurement: &Measurement, probe: &Probe) -> Self {
+        if let Probe::FlatPunch { radius } = probe {
+            return Self::up_to(MARGIN * radius);
+        }
+        let [least, most] = extremes(measurement.points.iter().map(|point| point.abscissa));
+        let largest = probe.radius().unwrap_or(f64::INFINITY);
+        match measurement.kind {
+            Kind::LoadRadius | Kind::PenetrationRadius | Kind::StiffnessRadius => {
+                Self::up_to((MARGIN * most).min(largest))
+            }
+            // What they need depends on the hardness and the area function: see
+            // `Experiment::reach_contacts`.
+            Kind::StiffnessLoad | Kind::StiffnessDepth => Self::up_to(0.0),
+            Kind::LoadPenetration | Kind::ForceHeight => Self {
+                needed: 0.0,
+                expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),
+            },
+        }
+    }
+}
+
+/// How contacts are made.
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// use fit::{Bodies, Experiment, Free, Kind, Layered, Measurement, NamedLayer, Parameter, Point};
-/// use fit::{Numbering, Reach};
-/// use interp::{Elastic, Probe, Table};
+/// use fit::{Bodies, Experiment, Free, Kind, Measurement, NamedLayer, Numbering, Parameter, Point};
+/// use interp::{Elastic, HalfSpace, Probe, Table};
 /// use solve::stack::Layer;
 ///
 /// // Radii (m) of a contact, and loads (N) that are to be fitted.
@@ -47,15 +100,11 @@ const OVER_TOP: f64 = 300.0;
 ///     Ok::<_, fit::Error>(NamedLayer { name: Some(name.parse()?), layer })
 /// };
 /// let probe = Probe::Paraboloid { radius: 1e-3 };
-/// let bodies = Bodies::Layered(Layered {
-///     reach: Reach::of(&measurement, &probe),
-///     probe,
-///     sphere_modulus: 2e6,
-///     base: Elastic::new(2e11, 0.25)?,
+/// let base = HalfSpace { probe, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+/// let bodies = Bodies {
 ///     layers: vec![layer("primer", 5e5, 2.5e-6)?, layer("film", 3.5e6, 7.5e-6)?],
-///     solver: fit::Solver::Direct,
-///     interrupt: fit::Interrupt::default(),
-/// });
+///     ..Bodies::bare(&measurement, base)
+/// };
 /// let free: [Parameter; 2] = ["sphere-modulus".parse()?, "work-of-adhesion".parse()?];
 /// let found = fit::fit(
 ///     Table::embedded(), // no contact on layers needs it
@@ -70,7 +119,11 @@ const OVER_TOP: f64 = 300.0;
 ///
 #[derive(Clone, Debug)]
 pub enum Solver {
-    /// By direct solves without friction.
+    /// By lookups in the table of the fit, with exact derivatives: a film that is bonded to its substrate.
+    Film,
+    /// In closed form, with exact derivatives: a half-space, which has the parameters of a film.
+    HalfSpace,
+    /// By direct solves of layers without friction; without layers as a half-space.
     ///
     /// The quantities are within 1e-8, from contact radii of 1e-4 of the thickness of the top layer to
     /// the expected reach of the contacts, or to 300 times the thickness of the top layer where that is
@@ -105,7 +158,6 @@ pub enum Solver {
 impl PartialEq for Solver {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Direct, Self::Direct) => true,
             (
                 Self::Stick {
                     sphere_poisson_ratio,
@@ -123,7 +175,7 @@ impl PartialEq for Solver {
                     table: other,
                 },
             ) => stack == of && Arc::ptr_eq(table, other),
-            _ => false,
+            _ => discriminant(self) == discriminant(other),
         }
     }
 }
@@ -132,8 +184,8 @@ impl Solver {
     /// Returns why no modulus or thickness of a layer can be free, if none can.
     pub(crate) const fn why_layers_are_fixed(&self) -> Option<&'static str> {
         match self {
-            Self::Direct | Self::Stick { .. } => None,
             Self::Table { .. } => Some(ONE_STACK),
+            _ => None,
         }
     }
 }
@@ -142,36 +194,20 @@ impl Solver {
 const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
     file, or solve the layers directly";
 
-/// Makes the contact of a probe on layers. It has no derivatives: those of a fit are differences of
-/// contacts.
-///
-/// # Errors
-/// [`Error::Interrupted`]; [`Error::Layer`] for a layer with a name; [`Error::OtherLayers`]; those of
-/// the solve and of the lookup, and of [`Contact::new`].
-pub(super) fn contact(layered: &Layered) -> Result<Contact, Error> {
-    if layered.interrupt.is_requested() {
-        return Err(Error::Interrupted);
-    }
-    if layered.layers.is_empty() && layered.solver == Solver::Direct {
-        // The base alone, as a reference sample.
-        return Ok(Contact::half_space(&HalfSpace {
-            probe: layered.probe.clone(),
-            sphere_modulus: layered.sphere_modulus,
-            solid: layered.base,
-        })?);
-    }
-    let stack = stack_of(layered)?;
+/// Makes the contact of a probe on layers.
+pub(super) fn on_layers(bodies: &Bodies) -> Result<Contact, Error> {
+    let stack = stack_of(bodies)?;
     let system = System {
-        probe: layered.probe.clone(),
-        ..stack.system(1.0, layered.sphere_modulus)
+        probe: bodies.probe.clone(),
+        ..stack.system(1.0, bodies.sphere_modulus)
     };
-    Ok(Contact::new(&system, curve(layered, &stack)?)?)
+    Ok(Contact::new(&system, curve(bodies, &stack)?)?)
 }
 
-fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
+fn curve(bodies: &Bodies, stack: &Stack) -> Result<Curve, Error> {
     let (thickness, top) = (stack.thickness(), stack.shape().top);
-    let Reach { needed, expected } = layered.reach;
-    Ok(match &layered.solver {
+    let Reach { needed, expected } = bodies.reach;
+    Ok(match &bodies.solver {
         Solver::Direct => {
             let [usual, most] =
                 [OVER_TOP, MOST_A_OVER_TOP].map(|over| stack.reach(over) * thickness);
@@ -183,14 +219,14 @@ fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
                 (BEGIN * stack.top().thickness / thickness).max(A_OVER_T[0]),
                 end / thickness,
             ];
-            stack_curve(stack, layered.sphere_modulus, range, TOLERANCE)?
+            stack_curve(stack, bodies.sphere_modulus, range, TOLERANCE)?
         }
         &Solver::Stick {
             sphere_poisson_ratio,
             advancing,
         } => {
             let end = (needed.max(expected) / thickness).min(MOST_OF_TIP * top);
-            let sticking = Sticking::on_stack(stack, layered.sphere_modulus, sphere_poisson_ratio)?;
+            let sticking = Sticking::on_stack(stack, bodies.sphere_modulus, sphere_poisson_ratio)?;
             let range = [(BEGIN * top).min(0.1 * end), end];
             StickCurves::new(&sticking, range, TOLERANCE)?.receding(advancing)?
         }
@@ -198,17 +234,23 @@ fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
             if of != stack {
                 return Err(Error::OtherLayers(ONE_STACK));
             }
-            stack.curve_in(table, layered.sphere_modulus)?
+            stack.curve_in(table, bodies.sphere_modulus)?
+        }
+        Solver::Film | Solver::HalfSpace => {
+            return Err(Error::NotFitted(
+                "the layers are not one bonded film without a name, which the table of a fit has: solve them directly"
+                    .into(),
+            ));
         }
     })
 }
 
 /// Returns the layers as a stack. An error has the name of the layer.
-fn stack_of(layered: &Layered) -> Result<Stack, Error> {
-    layered.stack().map_err(|error| match error {
+fn stack_of(bodies: &Bodies) -> Result<Stack, Error> {
+    bodies.stack().map_err(|error| match error {
         solve::Error::Layer {
             layer, ref what, ..
-        } => match layered.layers[layer - 1].name {
+        } => match bodies.layers[layer - 1].name {
             Some(name) => Error::Layer {
                 name,
                 what: what.clone(),

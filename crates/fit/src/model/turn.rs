@@ -21,7 +21,7 @@ impl Predictor<'_> {
     /// Returns the contact at the turn, if the receding work of adhesion is the larger one.
     pub(super) fn turn(&self) -> Result<Option<Turn>, contact::Error> {
         let (of, contact) = (self.experiment, self.contact);
-        if matches!(of.bodies.probe(), Probe::FlatPunch { .. }) {
+        if matches!(of.bodies.probe, Probe::FlatPunch { .. }) {
             // Its contact is as wide as the punch in any state.
             return Ok(None);
         }

@@ -41,7 +41,7 @@ pub fn jkr_plot(
     }
     let (Probe::Paraboloid { radius }
     | Probe::Sphere { radius }
-    | Probe::RoundedCone { radius, .. }) = *experiment.bodies.probe()
+    | Probe::RoundedCone { radius, .. }) = experiment.bodies.probe
     else {
         return none(
             "it has no JKR plot: it needs a probe with a radius of curvature at its tip: a paraboloid, a sphere or a \

@@ -231,13 +231,13 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         let number = (value / size * 1e12).round() / 1e12;
         format!("{number} {unit}").trim_end().to_owned()
     };
-    let probe = experiment.bodies.probe();
+    let probe = &experiment.bodies.probe;
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     let kind = experiment.measurement.kind;
     if !matches!(probe, Probe::Paraboloid { .. }) {
         rows.push(("probe".into(), shape(probe)));
     }
-    if matches!(experiment.bodies, Bodies::HalfSpace(_)) {
+    if experiment.bodies.are_half_space() {
         rows.push(("bodies".into(), "half-space".to_owned()));
     }
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
@@ -259,9 +259,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             .value_of(one)
             .filter(|&value| is_listed(one, value))?;
         let label = match one {
-            Fixed::SubstrateModulus if matches!(experiment.bodies, Bodies::Coated(_)) => {
-                ", Young's modulus E0"
-            }
+            Fixed::SubstrateModulus if experiment.bodies.are_coated() => ", Young's modulus E0",
             Fixed::SubstrateModulus | Fixed::Layer(_, LayerQuantity::Modulus) => {
                 ", Young's modulus"
             }
@@ -274,13 +272,11 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     let (parameters, of_bodies): (Vec<Fixed>, Vec<Fixed>) =
         quantities.partition(|one| one.parameter().is_some());
     rows.extend(of_bodies.into_iter().filter_map(row));
-    if let Bodies::Layered(layered) = &experiment.bodies {
-        for (i, named) in layered.layers.iter().enumerate() {
-            if let Some(interface) = interface(named, |stiffness| text(stiffness, "Pa/m")) {
-                let name = named.name.map(|name| name.to_string());
-                let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
-                rows.push((format!("{name}.interface").into(), interface));
-            }
+    for (i, named) in experiment.bodies.layers.iter().enumerate() {
+        if let Some(interface) = interface(named, |stiffness| text(stiffness, "Pa/m")) {
+            let name = named.name.map(|name| name.to_string());
+            let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
+            rows.push((format!("{name}.interface").into(), interface));
         }
     }
     rows.extend(relaxing::fixed(experiment));
@@ -372,7 +368,7 @@ fn warned(out: &mut String, warnings: &[Warning]) {
 /// Says whether the film matters, or the layers.
 fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
     let without = fit.without_film.as_ref()?;
-    let layered = matches!(bodies, Bodies::Layered(_));
+    let layered = bodies.are_layered();
     let [what, it] = if layered {
         ["layers", "them"]
     } else {

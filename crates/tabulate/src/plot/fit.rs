@@ -3,8 +3,7 @@
 
 use fit::report::{JkrPlotPoint, jkr_plot};
 use fit::{
-    Bodies, Branch, Direction, Experiment, Fit, FittedExperiment, FittedPoint, Kind,
-    Point as Measured,
+    Branch, Direction, Experiment, Fit, FittedExperiment, FittedPoint, Kind, Point as Measured,
 };
 
 use figures::axis::Axis;
@@ -68,7 +67,7 @@ pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit
 /// Says without what the dashed curves are.
 fn without_what(experiments: &[Experiment]) -> &'static str {
     // A bare reference sample has no layers.
-    let has_layers = |one: &Experiment| matches!(&one.bodies, Bodies::Layered(layered) if !layered.layers.is_empty());
+    let has_layers = |one: &Experiment| one.bodies.are_layered() && !one.bodies.layers.is_empty();
     if experiments.iter().any(has_layers) {
         "without layers"
     } else {

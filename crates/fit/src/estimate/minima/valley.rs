@@ -59,9 +59,7 @@ pub(crate) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<
 
 /// Tells whether each step needs further solves, as on a stack of layers.
 pub(crate) fn is_costly(problem: &Problem<'_>) -> bool {
-    problem
-        .experiments()
-        .any(|one| !one.bodies.has_derivatives())
+    problem.experiments().any(|one| one.bodies.are_layered())
 }
 
 /// Follows the valley of a value on both sides: the value moves away, and all others follow it.

@@ -154,7 +154,7 @@ impl<'a> Problem<'a> {
     /// once where they are exact, because nearly every value is one to go on from.
     fn predict_now(&self, experiment: usize) -> Result<Predicted, Error> {
         let own = &self.assigned[experiment].experiment;
-        if own.bodies.has_derivatives() && !own.measurement.kind.is_stiffness() {
+        if !own.bodies.are_layered() && !own.measurement.kind.is_stiffness() {
             let parameters = self.parameters_of(experiment);
             // There may be a contact without derivatives.
             if let Ok(predicted) = self.predict(experiment, &parameters) {
@@ -225,10 +225,10 @@ impl<'a> Problem<'a> {
         let by: Vec<Parameter> = by.map(|slot| slot.parameter).collect();
         let contact = bodies.contact(self.table, &by)?;
         // On layers the derivatives need two more contacts for each value.
-        let most = if bodies.has_derivatives() {
-            2
-        } else {
+        let most = if bodies.are_layered() {
             2 * (1 + self.slots.len())
+        } else {
+            2
         };
         if contacts.len() >= most * self.assigned.len() {
             contacts.remove(0);

@@ -195,9 +195,10 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
                 Parameter::Hardness => experiments[e].hardness_to_start_from(has_no_start(free)),
-                Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => {
-                    experiments[e].layer(name).map(NamedLayer::own_stiffness)
-                }
+                Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments[e]
+                    .bodies
+                    .layer(name)
+                    .map(NamedLayer::own_stiffness),
                 _ => None,
             })
         };
@@ -216,6 +217,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                     Parameter::Law(LawParameter::Exponent) => Some(EXPONENTS),
                     Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments
                         [members[0]]
+                        .bodies
                         .layer(name)
                         .map(|layer| interface_bounds(layer, start)),
                     _ => None,

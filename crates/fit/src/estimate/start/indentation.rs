@@ -20,7 +20,7 @@ pub(crate) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
     let experiment = &starts.at.experiment;
     let loads = experiment.measurement.points.iter();
     let load = median(loads.map(|point| point.abscissa).collect());
-    let radius = experiment.bodies.probe().radius().unwrap_or(1.0);
+    let radius = experiment.bodies.probe.radius().unwrap_or(1.0);
     if let Some(hardness) = experiment.hardness_to_start_from(starts.is_unknown) {
         starts.give_unknown(Parameter::Hardness, hardness)?;
     }

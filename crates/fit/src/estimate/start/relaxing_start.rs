@@ -207,7 +207,7 @@ fn hidden(experiment: &Experiment) -> f64 {
         .collect();
     let noise = experiment.usual_noise().or_else(|| noise_of(&loads));
     // The power of the penetration like which the load grows.
-    let power = match experiment.bodies.probe() {
+    let power = match &experiment.bodies.probe {
         flat if flat.contact_radii()[0] > 0.0 => 1.0,
         Probe::Paraboloid { .. } | Probe::Sphere { .. } | Probe::Profile(_) => 1.5,
         Probe::PowerLaw { exponent, .. } => 1.0 + 1.0 / exponent,

@@ -12,7 +12,7 @@ use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::slot::Slot;
 use crate::model::has_no_start;
-use crate::{Bodies, Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
+use crate::{Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
 
 /// The smallest work of adhesion to start from, relative to that of which the largest load would be
 /// the pull-off load.
@@ -246,10 +246,10 @@ fn matching_modulus(
     let other = if parameter == Parameter::SphereModulus {
         bodies.base().unwrap_or_else(|| bodies.film()).reduced()
     } else {
-        bodies.sphere_modulus()
+        bodies.sphere_modulus
     };
     let first = bodies.modulus_beside(parameter, compound, other);
-    if matches!(experiment.bodies, Bodies::HalfSpace(_)) {
+    if bodies.are_half_space() {
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {

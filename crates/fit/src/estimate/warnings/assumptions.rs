@@ -8,7 +8,7 @@ use super::friction;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::no_adhesion;
 use crate::model::ends_of_radii;
-use crate::{Bodies, Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
+use crate::{Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
 
 /// A contact radius (m) below which there is no continuum.
 const SMALLEST_RADIUS: f64 = 1e-9;
@@ -78,18 +78,20 @@ fn doubts(
     if let Some(doubt) = experiment.doubt_of_film([least, a]) {
         warnings.push(WarningKind::Implausible.with(format!("{name}: {doubt}")));
     }
-    let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
+    let paraboloid = matches!(experiment.bodies.probe, Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
         let exact = "the exact sphere, which is a probe of its own";
         let limit = Validity::EXACT_SPHERE_A_OVER_R;
-        let remedy = match experiment.bodies {
-            Bodies::Coated(_) if validity.a_over_r > limit => {
-                format!("leave out the points of contacts above {limit} R, and fit {exact} and is solved up to there")
-            }
-            Bodies::Coated(_) | Bodies::HalfSpace(_) => format!("fit {exact}"),
-            Bodies::Layered(_) => "leave out the points of wider contacts, because the exact sphere is solved on a half-space \
-                                   and on one bonded film, without friction"
-                .into(),
+        let remedy = if experiment.bodies.are_layered() {
+            "leave out the points of wider contacts, because the exact sphere is solved on a half-space \
+             and on one bonded film, without friction"
+                .into()
+        } else if experiment.bodies.are_coated() && validity.a_over_r > limit {
+            format!(
+                "leave out the points of contacts above {limit} R, and fit {exact} and is solved up to there"
+            )
+        } else {
+            format!("fit {exact}")
         };
         warnings.push(WarningKind::LargeContact.with(format!(
             "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
@@ -98,7 +100,7 @@ fn doubts(
             Validity::WARNING_A_OVER_R
         )));
     }
-    let slope = experiment.bodies.probe().slope(a);
+    let slope = experiment.bodies.probe.slope(a);
     if !paraboloid && slope > Validity::WARNING_SLOPE {
         warnings.push(WarningKind::LargeContact.with(format!(
             "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
@@ -108,9 +110,9 @@ fn doubts(
     }
     let film = validity.film;
     if let Some(film) = film.filter(|film| film.strain > Validity::SMALL) {
-        let what = match experiment.bodies {
-            Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
-            _ => "film",
+        let what = match experiment.bodies.have_film() {
+            true => "film",
+            false => "stack of layers",
         };
         warnings.push(WarningKind::LargeStrain.with(format!(
             "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \

@@ -49,7 +49,7 @@ struct Sample {
 pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
-    if matches!(experiment.bodies.probe(), Probe::FlatPunch { .. }) {
+    if matches!(experiment.bodies.probe, Probe::FlatPunch { .. }) {
         return None;
     }
     let Some(ways) = experiment.ways() else {

@@ -54,7 +54,7 @@ pub(crate) fn doubt(
     };
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
-    let is_punch = matches!(bodies.probe(), Probe::FlatPunch { .. });
+    let is_punch = matches!(bodies.probe, Probe::FlatPunch { .. });
     let has_radii = is_punch || kind == Kind::LoadRadius || !experiment.has_shape(false);
     let is_found = |parameter| estimates.iter().any(|one| one.parameter == parameter);
     let bounds = if !has_radii || is_found(Parameter::Hardness) {
@@ -68,7 +68,7 @@ pub(crate) fn doubt(
         format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
     };
     // A growing contact with full friction is solved under these conditions only.
-    let paraboloid = matches!(bodies.probe(), Probe::Paraboloid { .. });
+    let paraboloid = matches!(bodies.probe, Probe::Paraboloid { .. });
     let both = if paraboloid && is_uncoupled && !kind.is_stiffness() {
         "fit with both, or "
     } else {
@@ -86,7 +86,7 @@ pub(crate) fn doubt(
 /// half-spaces.
 fn part_of_others(bodies: &Bodies, contact: &Contact, a: f64) -> f64 {
     let base = bodies.base().map_or(f64::INFINITY, |base| base.reduced());
-    let of_half_spaces = 0.5 * (1.0 / bodies.sphere_modulus() + 1.0 / base) / a;
+    let of_half_spaces = 0.5 * (1.0 / bodies.sphere_modulus + 1.0 / base) / a;
     contact
         .stiffness(a)
         .map_or(f64::INFINITY, |stiffness| stiffness * of_half_spaces)
@@ -101,8 +101,8 @@ fn digits(value: f64) -> String {
 /// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m), and whether
 /// Dundurs' beta of sphere and film is 0; `None` where it is not solved, or there is no film.
 fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<(f64, bool)> {
-    let stack = bodies.stack()?;
-    let sticking = Sticking::on_stack(&stack, bodies.sphere_modulus(), nu2).ok()?;
+    let stack = bodies.stack().ok()?;
+    let sticking = Sticking::on_stack(&stack, bodies.sphere_modulus, nu2).ok()?;
     let a_over_t = (a / stack.thickness()).min(sticking.most_of_punch());
     let ratio = sticking.stiffening(a_over_t, TOLERANCE).ok()?;
     Some((ratio, sticking.beta() == 0.0))

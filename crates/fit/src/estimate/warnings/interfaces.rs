@@ -36,7 +36,7 @@ fn not_seen(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty: &Unce
         let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = slot.parameter else {
             continue;
         };
-        let Some(layer) = problem.experiments().find_map(|one| one.layer(name)) else {
+        let Some(layer) = problem.experiments().find_map(|one| one.bodies.layer(name)) else {
             continue;
         };
         let (own, value) = (layer.own_stiffness(), problem.value(i));
@@ -96,7 +96,7 @@ fn assumes_bonding(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty
             continue;
         };
         let step = if matches!(
-            bodies.probe(),
+            bodies.probe,
             Probe::Paraboloid { .. } | Probe::FlatPunch { .. }
         ) {
             "a fit as a film that slides tells what changes here, if it may slide"
@@ -116,7 +116,7 @@ fn assumes_bonding(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty
 
 /// Returns the top layer and the stack of bodies that are all bonded; `None` of others.
 fn layers(bodies: &Bodies) -> Option<(Layer, Stack)> {
-    let stack = bodies.stack().filter(Stack::is_bonded)?;
+    let stack = bodies.stack().ok().filter(Stack::is_bonded)?;
     Some((*stack.layers().last()?, stack))
 }
 
@@ -127,7 +127,7 @@ fn stiffness(bodies: &Bodies, over_top: f64, interface: Interface) -> Option<f64
     let mut all = stack.layers().to_vec();
     all.last_mut()?.interface = interface;
     let stack = Stack::new(stack.base(), all).ok()?;
-    let sphere = bodies.sphere_modulus();
+    let sphere = bodies.sphere_modulus;
     let unit = if sphere == f64::INFINITY {
         stack.surface().reduced()
     } else {

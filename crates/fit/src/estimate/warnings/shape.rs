@@ -5,7 +5,7 @@ use interp::Probe;
 use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::uncertainty::Uncertainty;
-use crate::{Bodies, Experiment, Warning, WarningKind};
+use crate::{Experiment, Warning, WarningKind};
 
 /// The contact radius over that of the sphere below which the shapes differ by less than 0.1 % of the penetration.
 const SMALL: f64 = 0.05;
@@ -35,7 +35,7 @@ pub(crate) fn doubt(
     }
     let spherical = residuals_of(problem, |own| {
         if let Some(radius) = sphere(own) {
-            *own.bodies.probe_mut() = Probe::Sphere { radius };
+            own.bodies.probe = Probe::Sphere { radius };
         }
         Ok(())
     })?;
@@ -65,8 +65,8 @@ pub(crate) fn doubt(
 
 /// Returns the radius of a sphere (m) whose paraboloid an experiment takes, where the exact sphere is solved.
 fn sphere(experiment: &Experiment) -> Option<f64> {
-    match (&experiment.bodies, experiment.bodies.probe()) {
-        (Bodies::Coated(_) | Bodies::HalfSpace(_), &Probe::Paraboloid { radius }) => Some(radius),
+    match experiment.bodies.probe {
+        Probe::Paraboloid { radius } if !experiment.bodies.are_layered() => Some(radius),
         _ => None,
     }
 }

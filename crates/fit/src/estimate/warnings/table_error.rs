@@ -1,7 +1,7 @@
 //! The doubt about a table that is less accurate than the data.
 
 use crate::estimate::problem::Problem;
-use crate::{Bodies, Fit, Warning, WarningKind};
+use crate::{Fit, Warning, WarningKind};
 
 /// The largest error of a table, relative to a load, that is never doubted: hardly any instrument measures five digits.
 const ACCURATE: f64 = 1e-5;
@@ -26,7 +26,7 @@ pub(crate) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>)
             Some(load.abs() / point.deviation)
         });
         let deviations = error * ratios.fold(0.0, f64::max);
-        if matches!(experiment.bodies, Bodies::Coated(_)) && deviations > LARGE {
+        if experiment.bodies.are_coated() && deviations > LARGE {
             warnings.push(WarningKind::TableError.with(format!(
                 "{}: the table is accurate to {error:.1e} of an ordinate, which is up to {deviations:.1} of its standard \
                  deviations: values may be wrong by more than their standard errors; use the embedded table, or one \

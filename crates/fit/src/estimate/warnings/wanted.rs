@@ -137,7 +137,7 @@ fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
 fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
     let advice = if experiment.relaxing.is_some() {
         "contacts that relax are fitted without: leave the points of the retract out, and keep those of approach and hold"
-    } else if let Probe::FlatPunch { .. } = experiment.bodies.probe() {
+    } else if let Probe::FlatPunch { .. } = experiment.bodies.probe {
         "the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a larger one than \
          that, such as 1 J/m^2, for the fit of the rest"
     } else {

@@ -3,9 +3,8 @@
 use std::f64::consts::PI;
 
 use super::radius::Place;
-use crate::model::Layered;
 use crate::statistics::median;
-use crate::{Bodies, Experiment, Kind, Parameter, Reach};
+use crate::{Experiment, Kind, Parameter, Reach};
 
 /// How far contacts reach beyond the radii that the start of the fit has.
 const MARGIN: f64 = 1.5;
@@ -51,7 +50,7 @@ impl Experiment {
             match self.measured_place(i) {
                 Some(place) => stiffness / (2.0 * place.radius),
                 None => {
-                    let radius = self.bodies.probe().radius().unwrap_or(f64::NAN);
+                    let radius = self.bodies.probe.radius().unwrap_or(f64::NAN);
                     (stiffness.powi(3) / (6.0 * radius * point.abscissa)).sqrt()
                 }
             }
@@ -101,25 +100,25 @@ impl Experiment {
                 1.2 * (depths.fold(0.0, f64::max) + self.indentation.tip_rounding.max(0.0));
             widest = widest.max(self.indentation.area.radius(deepest));
         }
-        let Bodies::Layered(layered) = &mut self.bodies else {
-            return;
-        };
-        layered.reach = Reach::up_to((MARGIN * widest).max(layered.reach.needed));
+        let needed = self.bodies.reach.needed;
+        self.bodies.reach = Reach::up_to((MARGIN * widest).max(needed));
     }
 
     /// Returns an upper estimate of the contact radius at a load (N): that of JKR on the softest of
     /// the bodies.
     fn elastic_radius(&self, load: f64) -> f64 {
-        let softest = match &self.bodies {
-            Bodies::Layered(Layered { base, layers, .. }) => layers
-                .iter()
+        let bodies = &self.bodies;
+        let softest = if bodies.are_layered() {
+            let layers = bodies.layers.iter();
+            layers
                 .map(|layer| layer.layer.solid.reduced())
-                .fold(base.reduced(), f64::min),
-            bodies => bodies.film().reduced(),
+                .fold(bodies.base.reduced(), f64::min)
+        } else {
+            bodies.film().reduced()
         };
         let sphere = self.get(Parameter::SphereModulus).unwrap_or(f64::INFINITY);
         let compound = 1.0 / (1.0 / softest + 1.0 / sphere);
-        let radius = self.bodies.probe().radius().unwrap_or(f64::NAN);
+        let radius = self.bodies.probe.radius().unwrap_or(f64::NAN);
         let pull = 3.0 * PI * self.work_of_adhesion * radius;
         let jkr = load + pull + (2.0 * pull * load + pull * pull).sqrt();
         (0.75 * radius * jkr / compound).cbrt().min(radius)

@@ -28,28 +28,24 @@ impl Sample {
         contact_of: &ContactOf<'_>,
         most: f64,
     ) -> Result<Self, crate::Error> {
-        let contacts = match bodies {
-            Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
-                let contact = |k: usize| {
-                    let by = 0.5 * most * (1.0 - angle(k).cos());
-                    let mut thinner = layered.clone();
-                    if let Some(top) = thinner.layers.last_mut() {
-                        top.layer.thickness -= by;
-                    }
-                    let contact = contact_of(&Bodies::Layered(thinner), &[])?;
-                    Ok::<_, crate::Error>((by, contact))
-                };
-                (0..THICKNESSES).map(contact).collect::<Result<_, _>>()?
+        let thins = bodies.are_layered() && most > 0.0 && !bodies.layers.is_empty();
+        let contact = |k: usize| {
+            let by = 0.5 * most * (1.0 - angle(k).cos());
+            let mut thinner = bodies.clone();
+            if let Some(top) = thinner.layers.last_mut() {
+                top.layer.thickness -= by;
             }
-            _ => vec![(0.0, contact_of(bodies, &[])?)],
-        };
-        let thickness = match bodies {
-            Bodies::Coated(system) => system.film_thickness,
-            _ => f64::INFINITY,
+            Ok::<_, crate::Error>((by, contact_of(&thinner, &[])?))
         };
         Ok(Self {
-            thickness,
-            contacts,
+            thickness: bodies
+                .system()
+                .map_or(f64::INFINITY, |film| film.film_thickness),
+            contacts: if thins {
+                (0..THICKNESSES).map(contact).collect::<Result<_, _>>()?
+            } else {
+                vec![(0.0, contact_of(bodies, &[])?)]
+            },
         })
     }
 

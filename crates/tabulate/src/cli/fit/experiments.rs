@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Direction, Experiment, Fixed, Free, Kind, LayerName, Layered, Measurement, NamedLayer,
+    Bodies, Direction, Experiment, Fixed, Free, Kind, LayerName, Measurement, NamedLayer,
     Parameter, Point, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
@@ -205,20 +205,14 @@ impl KnownArguments {
             let film = || NamedLayer::of_film(&system);
             layers = Some((layers.map_or_else(film, |(layers, _)| layers), solver));
         }
-        let bodies = |measurement: &Measurement| {
-            let system = system.clone();
-            if let Some((layers, solver)) = &layers {
-                let (sphere_modulus, base) = (system.sphere_modulus, system.substrate);
-                Bodies::Layered(Layered {
-                    layers: layers.clone(),
-                    solver: solver.clone(),
-                    ..Layered::bare(measurement, &system.probe, sphere_modulus, base)
-                })
-            } else if self.bodies.half_space {
-                Bodies::HalfSpace(bodies::half_space(&system))
-            } else {
-                Bodies::Coated(system)
-            }
+        let bodies = |measurement: &Measurement| match &layers {
+            Some((layers, solver)) => Bodies {
+                layers: layers.clone(),
+                solver: solver.clone(),
+                ..Bodies::bare(measurement, system.without_film())
+            },
+            None if self.bodies.half_space => Bodies::half_space(bodies::half_space(&system)),
+            None => Bodies::coated(&system),
         };
         let files = measurements.len();
         for Values { quantity, values } in &self.values {

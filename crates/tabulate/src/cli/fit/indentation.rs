@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use ::fit::{
-    AreaFunction, Bodies, ContactDepth, Experiment, Fixed, Free, Indentation, Kind, Layered,
-    Measurement, Parameter, Scope,
+    AreaFunction, Bodies, ContactDepth, Experiment, Fixed, Free, Indentation, Kind, Measurement,
+    Parameter, Scope,
 };
 use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
@@ -183,7 +183,7 @@ pub fn accept_no_shape(system: &SystemArguments) -> anyhow::Result<()> {
 pub fn forget_shape(experiment: &mut Experiment) {
     /// The radius of the largest lens, m.
     const RADIUS: f64 = 0.1;
-    *experiment.bodies.probe_mut() = Probe::Paraboloid { radius: RADIUS };
+    experiment.bodies.probe = Probe::Paraboloid { radius: RADIUS };
     experiment.work_of_adhesion = 0.0;
 }
 
@@ -234,14 +234,12 @@ impl ReferenceArguments {
             measurement.name,
             measurement.kind.name()
         );
-        let base = film.bodies.base();
-        let substrate = base.unwrap_or_else(|| film.bodies.film());
+        let substrate = film.bodies.base;
         let young = self.reference_modulus.unwrap_or(substrate.young());
         let poisson = self.reference_poisson_ratio.unwrap_or(substrate.poisson());
         let solid = Elastic::new(young, poisson).context("--reference-modulus")?;
-        let sphere_modulus = film.get(Parameter::SphereModulus).unwrap_or(f64::INFINITY);
-        let bare = Layered::bare(&measurement, film.bodies.probe(), sphere_modulus, solid);
-        let mut experiment = Experiment::new(measurement, Bodies::Layered(bare));
+        let bare = Bodies::bare(&measurement, film.bodies.on(solid));
+        let mut experiment = Experiment::new(measurement, bare);
         experiment.indentation = film.indentation.clone();
         // A film is thinned, and a bare sample is not; its hardness is its own.
         experiment.indentation.thinning = 0.0;

@@ -1,6 +1,6 @@
 //! The flags that follow from the warnings of a fit.
 
-use ::fit::{Bodies, Experiment, Fit, Parameter, WarningKind};
+use ::fit::{Experiment, Fit, Parameter, WarningKind};
 use interp::Probe;
 
 /// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
@@ -92,8 +92,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let wants = applies(WarningKind::OffsetWanted) || applies(WarningKind::OffsetHinted);
     steps.extend(wants.then_some(&*wanted));
     let is_exact = |one: &Experiment| {
-        !matches!(one.bodies, Bodies::Layered(_))
-            && matches!(one.bodies.probe(), Probe::Paraboloid { .. })
+        !one.bodies.are_layered() && matches!(one.bodies.probe, Probe::Paraboloid { .. })
     };
     let exact = applies(WarningKind::LargeContact) && experiments.iter().any(is_exact);
     steps.extend(exact.then_some("the exact sphere: --probe sphere"));
