@@ -51,17 +51,6 @@ fn attracting(
     cohesive::Cohesive::on_stack(&named.stack, radius, modulus, work_of_adhesion, range)
 }
 
-impl Cohesive {
-    /// Returns a field of the contact of radius `a` at radii.
-    fn field<'py>(
-        py: Python<'py>,
-        evaluate: impl FnOnce() -> Result<Vec<f64>, Error> + Send,
-    ) -> PyResult<Output<'py>> {
-        let values = py.detach(evaluate).or_raise(py)?;
-        Ok(PyArray1::from_vec(py, values))
-    }
-}
-
 #[pymethods]
 impl Cohesive {
     #[new]
@@ -80,12 +69,14 @@ impl Cohesive {
 
     fn pressure<'py>(&self, py: Python<'py>, a: f64, radii: Input<'_>) -> PyResult<Output<'py>> {
         let radii = radii.as_slice()?;
-        Self::field(py, || self.0.pressure(a, radii))
+        let values = py.detach(|| self.0.pressure(a, radii)).or_raise(py)?;
+        Ok(PyArray1::from_vec(py, values))
     }
 
     fn gap<'py>(&self, py: Python<'py>, a: f64, radii: Input<'_>) -> PyResult<Output<'py>> {
         let radii = radii.as_slice()?;
-        Self::field(py, || self.0.gap(a, radii))
+        let values = py.detach(|| self.0.gap(a, radii)).or_raise(py)?;
+        Ok(PyArray1::from_vec(py, values))
     }
 
     /// Returns the states of a branch, one array for each of their numbers.

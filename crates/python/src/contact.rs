@@ -89,6 +89,11 @@ pub fn numbers(state: State) -> StateNumbers {
     [state.contact_radius, state.load, state.penetration]
 }
 
+/// Returns the only number of a result.
+const fn alone(number: f64) -> [f64; 1] {
+    [number]
+}
+
 /// Returns the name of an input in Python.
 fn key(input: Parameter) -> String {
     input.name().to_lowercase().replace(' ', "_")
@@ -196,9 +201,7 @@ impl Contact {
     }
 
     fn load<'py>(&self, points: Points<'py>, a: Input<'_>, w: Input<'_>) -> Outputs<'py, 1> {
-        points.evaluate([&a, &w], |[a, w]| {
-            self.contact.load(a, w).map(|load| [load])
-        })
+        points.evaluate([&a, &w], |[a, w]| self.contact.load(a, w).map(alone))
     }
 
     fn load_and_penetration<'py>(
@@ -221,16 +224,12 @@ impl Contact {
         w: Input<'_>,
     ) -> Outputs<'py, 1> {
         points.evaluate([&a, &w], |[a, w]| {
-            self.contact
-                .moving_stiffness(a, w)
-                .map(|stiffness| [stiffness])
+            self.contact.moving_stiffness(a, w).map(alone)
         })
     }
 
     fn stiffness<'py>(&self, points: Points<'py>, a: Input<'_>) -> Outputs<'py, 1> {
-        points.evaluate([&a], |[a]| {
-            self.contact.stiffness(a).map(|stiffness| [stiffness])
-        })
+        points.evaluate([&a], |[a]| self.contact.stiffness(a).map(alone))
     }
 
     /// Returns the fields of `::contact::Validity` by their names, those of a film among them, which are
@@ -306,7 +305,7 @@ impl Contact {
     ) -> Outputs<'py, 1> {
         points.evaluate([&w, &z0], |[w, z0]| {
             let range = self.contact.zone_size(w, z0)?;
-            range.pull_off_error().map(|error| [error])
+            range.pull_off_error().map(alone)
         })
     }
 
@@ -364,7 +363,7 @@ impl Contact {
         let control = control(imposed)?;
         points.evaluate([&load], |[load]| {
             let found = self.contact.work_of_adhesion_at_pull_off(load, control);
-            found.map(|work| [work])
+            found.map(alone)
         })
     }
 
@@ -385,13 +384,8 @@ impl Contact {
     ) -> PyResult<Vec<(StateNumbers, bool)>> {
         let control = control(imposed)?;
         let found = py.detach(|| self.contact.equilibria(w, control)?.at(value));
-        found
-            .map(|all| {
-                all.into_iter()
-                    .map(|one| (numbers(one.state), one.stable))
-                    .collect()
-            })
-            .or_raise(py)
+        let found = found.or_raise(py)?.into_iter();
+        Ok(found.map(|one| (numbers(one.state), one.stable)).collect())
     }
 
     /// Returns the stable state of a branch at each imposed value.

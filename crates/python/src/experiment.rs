@@ -1,15 +1,17 @@
 //! The experiments of fits and forecasts, from the attributes of the Python class.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use fit::{
-    Bodies, Direction, Experiment, Kind, Measurement, NamedLayer, Numbering, Point, PointErrors,
-    Relaxing, Solver,
+    Bodies, Direction, Experiment, Interrupt, Kind, Measurement, NamedLayer, Numbering, Point,
+    PointErrors, Relaxing, Solver,
 };
 use interp::System;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
-use crate::contacts_on_layers::{ContactsOnLayers, stick};
 use crate::error::{OrRaise as _, unknown};
 use crate::history::{LawNumbers, law};
 use crate::indentation::GivenIndentation;
@@ -72,17 +74,26 @@ enum GivenBodies<'py> {
     Layered(Bound<'py, NativeStackSystem>),
 }
 
-/// Makes experiments; the `solvers` make their contacts if they are on layers or stick.
+/// Makes experiments, as [`one`].
 pub fn all(
     py: Python<'_>,
     given: &[Given<'_>],
-    solvers: &ContactsOnLayers,
+    frictionless: &Solver,
 ) -> PyResult<Vec<Experiment>> {
-    given.iter().map(|given| one(py, given, solvers)).collect()
+    let made = given.iter().map(|given| one(py, given, frictionless));
+    made.collect()
 }
 
-/// Makes an experiment; one of the `solvers` makes its contacts if they are on layers or stick.
-pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyResult<Experiment> {
+/// Lets experiments make no further contact once a flag is set.
+pub fn interrupt(experiments: &mut [Experiment], interrupted: &Arc<AtomicBool>) {
+    for experiment in experiments {
+        let interrupted = Arc::clone(interrupted);
+        experiment.bodies.interrupt = Interrupt::when(move || interrupted.load(Ordering::Relaxed));
+    }
+}
+
+/// Makes an experiment. The solver makes its contacts if they are on layers and do not stick.
+pub fn one(py: Python<'_>, given: &Given<'_>, frictionless: &Solver) -> PyResult<Experiment> {
     let kind = Kind::of_name(&given.kind).ok_or_else(|| unknown("kind", &given.kind))?;
     let (x, y) = (given.abscissa.as_slice()?, given.ordinate.as_slice()?);
     let retract = given.retract.as_ref().map(|retract| retract.as_slice());
@@ -105,19 +116,30 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
         numbering: Numbering::Points,
         points: points.collect(),
     };
-    let stick = stick(&given.friction, given.sphere_poisson_ratio, given.advancing)?;
+    let stick = match &*given.friction {
+        "none" => None,
+        "stick" => Some(Solver::Stick {
+            sphere_poisson_ratio: given.sphere_poisson_ratio,
+            advancing: given.advancing,
+        }),
+        other => return Err(unknown("friction", other)),
+    };
+    let layered = |system: &System, layers| Bodies {
+        layers,
+        solver: stick.as_ref().unwrap_or(frictionless).clone(),
+        ..Bodies::bare(&measurement, system.without_film())
+    };
     let bodies = match &given.bodies {
         GivenBodies::Coated(system) if stick.is_some() => {
             let system = &system.get().0;
-            let layers = NamedLayer::of_film(system);
-            layered(system, layers, &measurement, stick, solvers)
+            layered(system, NamedLayer::of_film(system))
         }
         GivenBodies::Coated(system) => Bodies::coated(&system.get().0),
         GivenBodies::HalfSpace(half_space) => Bodies::half_space(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
             let NativeStackSystem { named, system } = layers.get();
             let layers = NamedLayer::all(&named.stack, &named.names).or_raise(py)?;
-            layered(system, layers, &measurement, stick, solvers)
+            layered(system, layers)
         }
     };
     let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
@@ -153,21 +175,4 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
         indentation.complete(py, &mut made)?;
     }
     Ok(made)
-}
-
-/// Makes the layers of an experiment, whose contacts are made with full friction by `stick`, or
-/// without friction.
-fn layered(
-    system: &System,
-    layers: Vec<NamedLayer>,
-    measurement: &Measurement,
-    stick: Option<Solver>,
-    solvers: &ContactsOnLayers,
-) -> Bodies {
-    Bodies {
-        layers,
-        solver: stick.unwrap_or_else(|| solvers.frictionless.clone()),
-        interrupt: solvers.interrupt(),
-        ..Bodies::bare(measurement, system.without_film())
-    }
 }

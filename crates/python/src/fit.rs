@@ -1,5 +1,6 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use ::solve::parallel;
@@ -14,9 +15,8 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
-use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::{Failure, unknown, with_identifiers};
-use crate::experiment::{Given, all};
+use crate::experiment::{Given, all, interrupt};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
 use crate::parameter::{GivenFree, fixed, frees};
@@ -38,12 +38,9 @@ pub fn fit_together<'py>(
     known: Vec<(String, f64)>,
     fixed_values: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let known = known.iter().map(|(name, error)| {
-        let quantity = fixed(py, name)?;
-        Ok(Known {
-            quantity,
-            error: *error,
-        })
+    let known = known.into_iter().map(|(name, error)| {
+        let quantity = fixed(py, &name)?;
+        Ok(Known { quantity, error })
     });
     let known: PyResult<Vec<Known>> = known.collect();
     let (options, allow_magnitudes) = options(given_options)?;
@@ -53,10 +50,11 @@ pub fn fit_together<'py>(
         ..options
     };
     let table = table.get();
-    let solvers = ContactsOnLayers::new(table.solver(py)?);
-    let experiments = all(py, &experiments, &solvers)?;
+    let mut experiments = all(py, &experiments, &table.solver(py)?)?;
+    let interrupted = Arc::default();
+    interrupt(&mut experiments, &interrupted);
     let free = frees(py, free)?;
-    let found = interruptible(py, &solvers.interrupted, || {
+    let found = interruptible(py, &interrupted, || {
         checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
     })?
     .map_err(|failure| failure.raise(py))?;
@@ -104,19 +102,18 @@ pub fn fit_map<'py>(
         ..options
     };
     let table = table.get();
-    let solvers = ContactsOnLayers::new(table.solver(py)?);
-    let free = frees(py, free)?;
+    let (solver, free) = (table.solver(py)?, frees(py, free)?);
+    let interrupted = Arc::default();
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = all(py, curves, &solvers)?;
+        let mut curves = all(py, curves, &solver)?;
+        interrupt(&mut curves, &interrupted);
         let one = |curve: &Experiment| {
-            let goes_on = !solvers.interrupted.load(Ordering::Relaxed);
+            let goes_on = !interrupted.load(Ordering::Relaxed);
             let curve = std::slice::from_ref(curve);
             goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
-        let found = interruptible(py, &solvers.interrupted, || {
-            parallel::map_while_some(&curves, one)
-        })?;
+        let found = interruptible(py, &interrupted, || parallel::map_while_some(&curves, one))?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,

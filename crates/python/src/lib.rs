@@ -4,8 +4,8 @@
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
 //! `interruption`; `likelihood`, `line`, `history`, `cohesive_zone`, `read`, `fit`, `model`, `generate`, `solve` and
-//! `cohesive` stand beside them. `experiment`, with its `indentation` and what makes its
-//! `contacts_on_layers`, and `parameter` hold what fits are given. `error` makes Python's exceptions
+//! `cohesive` stand beside them. `experiment`, with its `indentation`, and `parameter`
+//! hold what fits are given. `error` makes Python's exceptions
 //! of all of them.
 
 #![forbid(unsafe_code)]
@@ -15,7 +15,6 @@ mod bodies;
 mod cohesive;
 mod cohesive_zone;
 mod contact;
-mod contacts_on_layers;
 mod error;
 mod experiment;
 mod fit;

@@ -5,7 +5,6 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::arrays::Output;
-use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::OrRaise as _;
 use crate::experiment::{Given, all};
 use crate::model::of_names;
@@ -30,8 +29,7 @@ impl NativeLikelihood {
         branches: Option<Vec<Vec<String>>>,
     ) -> PyResult<Self> {
         let table = table.get().clone();
-        let solvers = ContactsOnLayers::new(table.solver(py)?);
-        let experiments = all(py, &experiments, &solvers)?;
+        let experiments = all(py, &experiments, &table.solver(py)?)?;
         let free = frees(py, free)?;
         let branches = branches.map(|all| all.iter().map(|names| of_names(names)).collect());
         let branches: Option<Vec<_>> = branches.transpose()?;

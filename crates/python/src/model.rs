@@ -3,14 +3,12 @@
 
 use std::slice;
 
-use fit::Solver;
-use fit::{Branch, Error};
+use fit::{Branch, Error, Solver};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Output;
-use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::{OrRaise as _, unknown};
 use crate::experiment::{Given, all, one};
 use crate::fit::{accept_magnitudes, estimates, warnings};
@@ -36,7 +34,7 @@ pub fn branches(
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
     // No contact is made.
-    let experiment = one(py, &given, &ContactsOnLayers::new(Solver::Direct))?;
+    let experiment = one(py, &given, &Solver::Direct)?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = free.or_raise(py)?;
     let branches = experiment.branches(&free).or_raise(py)?;
@@ -54,7 +52,7 @@ pub fn predict<'py>(
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
+    let experiment = one(py, &given, &table.solver(py)?)?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
     let branches = branches.map(|names| of_names(&names)).transpose()?;
@@ -85,7 +83,7 @@ pub fn simulate<'py>(
     allow_magnitudes: bool,
 ) -> PyResult<[Output<'py>; 4]> {
     let table = table.get();
-    let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
+    let experiment = one(py, &given, &table.solver(py)?)?;
     let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
     let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
@@ -110,8 +108,7 @@ pub fn forecast<'py>(
     allow_magnitudes: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let solvers = ContactsOnLayers::new(table.solver(py)?);
-    let experiments = all(py, &experiments, &solvers)?;
+    let experiments = all(py, &experiments, &table.solver(py)?)?;
     let accepted = accept_magnitudes(&experiments, allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
     let free = frees(py, free)?;
