@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Direction, Experiment, Fixed, Free, Kind, LayerName, Measurement, NamedLayer,
-    Parameter, Point, Solver, starts_from_data,
+    Bodies, Direction, Experiment, Fixed, Free, Kind, Measurement, NamedLayer, Parameter, Point,
+    Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::Probe;
@@ -17,7 +17,6 @@ use super::setting::{Given, Values};
 use super::value::{fixed, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
-use crate::cli::interface::FILM;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
@@ -59,7 +58,7 @@ impl KnownArguments {
             }
         }
         let given = |quantity| values(quantity).is_some();
-        missing.retain(|value| !given(fixed(*value, self.layer())));
+        missing.retain(|value| !given(self.fixed(*value)));
         if self.relaxing.is_given() {
             missing.retain(|value| *value != Value::WorkOfAdhesion);
         }
@@ -82,10 +81,9 @@ impl KnownArguments {
         Ok([&self.values[..], &self.relaxing.values()?].concat())
     }
 
-    /// Returns the name of the film as a layer, if an interface makes it one.
-    pub fn layer(&self) -> Option<LayerName> {
-        let is_layer = self.bodies.interface.is_layer();
-        is_layer.then(|| FILM.parse().expect("a name of a layer"))
+    /// Returns the value of a fit that one of the bodies is.
+    pub fn fixed(&self, value: Value) -> Fixed {
+        fixed(value, self.bodies.interface.is_layer())
     }
 
     /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
@@ -98,15 +96,15 @@ impl KnownArguments {
     ) -> anyhow::Result<()> {
         let is_free = |value: Value| {
             let free = |parameter| free.iter().any(|one| one.parameter == parameter);
-            fixed(value, self.layer()).parameter().is_some_and(free)
+            self.fixed(value).parameter().is_some_and(free)
         };
         let is_known = |value: &Value| {
             let starts = |parameter| starts_from_data(parameter, experiments, free);
             self.bodies.system.specimen.is_some()
-                || fixed(*value, self.layer()).parameter().is_some_and(starts)
+                || self.fixed(*value).parameter().is_some_and(starts)
                 || given
                     .iter()
-                    .any(|one| one.value.is_some() && one.quantity == fixed(*value, self.layer()))
+                    .any(|one| one.value.is_some() && one.quantity == self.fixed(*value))
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
@@ -126,7 +124,7 @@ impl KnownArguments {
         }
         lines.extend(questions(
             &missing,
-            self.layer(),
+            self.bodies.interface.is_layer(),
             is_free,
             self.bodies.half_space,
         ));

@@ -350,12 +350,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let system = &arguments.known.bodies.system;
     for given in &arguments.given {
-        given.accept_once(
-            system,
-            arguments.known.layer(),
-            [arguments.known.stiffness, arguments.known.indentation.beta],
-            &values,
-        )?;
+        given.accept_once(&arguments.known, &values)?;
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();

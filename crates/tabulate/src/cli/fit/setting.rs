@@ -3,13 +3,13 @@
 use std::str::FromStr;
 
 use ::fit::report::UnitOf;
-use ::fit::{Error, Experiment, Fixed, Free, Known, LayerName, Parameter};
+use ::fit::{Error, Experiment, Fixed, Free, Known, Parameter};
 use anyhow::{bail, ensure};
 use units::Dimension;
 
-use super::value::fixed;
+use super::experiments::KnownArguments;
 use crate::cli::quantity::{self, read};
-use crate::cli::system::{SystemArguments, Value};
+use crate::cli::system::Value;
 
 /// Values of a quantity, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,24 +62,19 @@ impl Given {
     }
 
     /// Refuses a quantity to which a flag gives another value, or --value one for each file.
-    pub fn accept_once(
-        &self,
-        system: &SystemArguments,
-        layer: Option<LayerName>,
-        [stiffness, beta]: [Option<f64>; 2],
-        values: &[Values],
-    ) -> anyhow::Result<()> {
+    pub fn accept_once(&self, flags: &KnownArguments, values: &[Values]) -> anyhow::Result<()> {
         let Some(known) = self.value else {
             return Ok(());
         };
         let name = self.quantity.name();
-        let of_bodies =
-            Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
+        let of_bodies = Value::ALL.map(|value| {
+            let given = flags.bodies.system.given(value);
+            (value.flag(), flags.fixed(value), given)
+        });
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
-        let flags = of_bodies.into_iter();
-        for (flag, quantity, other) in flags.chain([
-            ("--stiffness".to_owned(), of_cantilever, stiffness),
-            ("--beta".to_owned(), Fixed::Beta, beta),
+        for (flag, quantity, other) in of_bodies.into_iter().chain([
+            ("--stiffness".to_owned(), of_cantilever, flags.stiffness),
+            ("--beta".to_owned(), Fixed::Beta, flags.indentation.beta),
         ]) {
             if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
             {

@@ -1,35 +1,18 @@
 //! The values of the bodies as a fit takes them, and what it asks where one is missing.
 
-use ::fit::{Fixed, LayerName, LayerQuantity, Parameter};
+use ::fit::{Fixed, LayerQuantity, Parameter};
 
+use crate::cli::interface::FILM;
 use crate::cli::system::Value;
 
-/// Returns the value of a fit that one of the bodies is. A film with an interface is the `layer`.
-pub const fn fixed(value: Value, layer: Option<LayerName>) -> Fixed {
-    match (value, layer) {
-        (Value::FilmThickness, Some(name)) => {
-            Fixed::Parameter(Parameter::Layer(name, LayerQuantity::Thickness))
-        }
-        (Value::FilmModulus, Some(name)) => {
-            Fixed::Parameter(Parameter::Layer(name, LayerQuantity::Modulus))
-        }
-        (Value::FilmPoissonRatio, Some(name)) => Fixed::NamedPoissonRatio(name),
-        _ => of_film(value),
-    }
-}
-
-/// Returns the value of a fit that one of the bodies is, where the film is bonded.
-const fn of_film(value: Value) -> Fixed {
-    match value {
-        Value::SphereRadius => Fixed::SphereRadius,
-        Value::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
-        Value::FilmThickness => Fixed::Parameter(Parameter::FilmThickness),
-        Value::FilmModulus => Fixed::Parameter(Parameter::FilmModulus),
-        Value::FilmPoissonRatio => Fixed::Parameter(Parameter::FilmPoissonRatio),
-        Value::SubstrateModulus => Fixed::SubstrateModulus,
-        Value::SubstratePoissonRatio => Fixed::SubstratePoissonRatio,
-        Value::WorkOfAdhesion => Fixed::Parameter(Parameter::WorkOfAdhesion),
-    }
+/// Returns the value of a fit that one of the bodies is, which has the same name. A film with an
+/// interface is a layer.
+pub fn fixed(value: Value, film_is_layer: bool) -> Fixed {
+    let name = match value.name().strip_prefix("film-") {
+        Some(what) if film_is_layer => format!("{FILM}.{what}"),
+        _ => value.name().to_owned(),
+    };
+    Fixed::parse(&name).expect("a fit has the values of the bodies")
 }
 
 /// Returns the question that the value answers.
@@ -65,12 +48,12 @@ const fn question(value: Value) -> &'static str {
 /// the fit only starts from the value. A `half_space` is known to have no film.
 pub fn questions(
     missing: &[Value],
-    layer: Option<LayerName>,
+    film_is_layer: bool,
     guessed: impl Fn(Value) -> bool,
     half_space: bool,
 ) -> Vec<String> {
     let question = |&value: &Value| {
-        let further = match fixed(value, layer).parameter() {
+        let further = match fixed(value, film_is_layer).parameter() {
             _ if guessed(value) => {
                 ". It is free, and the fit starts from it: a guess will do".into()
             }
