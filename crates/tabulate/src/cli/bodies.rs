@@ -274,20 +274,17 @@ impl Bodies {
         top * self.system.film_thickness
     }
 
-    /// Returns the contact of the probe of a system with the half-space that the bodies are; `None` for others.
-    pub fn on_half_space(&self, system: &System) -> Result<Option<Contact>, contact::Error> {
-        let contact = || Contact::half_space(&half_space(system));
-        self.half_space.then(contact).transpose()
-    }
-
-    /// Makes the contact of a `system` of these bodies, not on a half-space: solves for its curve in the `range` of `a/t`
-    /// to a relative `tolerance`, or looks it up in the table of the layers.
+    /// Makes the contact of a `system` of these bodies: solves for its curve in the `range` of `a/t` to a relative
+    /// `tolerance`, or looks it up in the table of the layers. That on a half-space is known.
     pub fn contact(
         &self,
         system: &System,
         range: [f64; 2],
         tolerance: f64,
     ) -> Result<Contact, crate::Error> {
+        if self.half_space {
+            return Ok(Contact::half_space(&half_space(system))?);
+        }
         let sphere_modulus = system.sphere_modulus;
         let curve = match &self.stack {
             None => solve::curve(&system.material()?, range, tolerance)?,

@@ -284,8 +284,8 @@ impl<'a> States<'a> {
             Source::Curve(Box::new(contact))
         } else if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
-        } else if let Some(contact) = bodies.on_half_space(system)? {
-            Source::Curve(Box::new(contact))
+        } else if bodies.half_space {
+            Source::Curve(solved([from, to], tolerance)?)
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(Contact::in_table(
                 name.read_for_contacts()?.as_ref(),

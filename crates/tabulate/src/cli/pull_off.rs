@@ -197,29 +197,20 @@ type PullOff = (Contact, State);
 
 /// Finds the pull-off of an attraction without range.
 fn jkr(table: Option<&Table>, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
-    if let Some(contact) = bodies.on_half_space(&bodies.system)? {
-        let state = contact.pull_off(bodies.work_of_adhesion, control)?;
-        return Ok((contact, state));
-    }
-    match table {
-        Some(table) => {
-            let contact = Contact::in_table(table, &bodies.system)?;
-            let state = contact.pull_off(bodies.work_of_adhesion, control);
-            if let Err(
-                error @ Error::OutsideRadii {
-                    at_end_of_probe: false,
-                    ..
-                },
-            ) = state
-            {
-                return Err(anyhow!(
-                    "{error}; without a table `tabulate pull-off` solves more contacts"
-                ));
-            }
-            let state = state?;
-            Ok((contact, state))
-        }
-        None => solved(bodies, control),
+    let Some(table) = table else {
+        return solved(bodies, control);
+    };
+    let contact = Contact::in_table(table, &bodies.system)?;
+    match contact.pull_off(bodies.work_of_adhesion, control) {
+        Err(
+            error @ Error::OutsideRadii {
+                at_end_of_probe: false,
+                ..
+            },
+        ) => Err(anyhow!(
+            "{error}; without a table `tabulate pull-off` solves more contacts"
+        )),
+        state => Ok((contact, state?)),
     }
 }
 
@@ -239,10 +230,7 @@ fn sticking(
         let (contact, receding) = arguments.history.contact(bodies, nu2, radii, None)?;
         match contact.pull_off(receding, control) {
             Err(Error::OutsideRadii { .. }) => {}
-            state => {
-                let state = state?;
-                return Ok((contact, state));
-            }
+            state => return Ok((contact, state?)),
         }
     }
     Err(anyhow!(
@@ -269,6 +257,11 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
     /// smaller.
     const THICK: f64 = 1e-2;
     let system = &bodies.system;
+    if bodies.half_space {
+        let contact = bodies.contact(system, A_OVER_T, TOLERANCE)?;
+        let state = contact.pull_off(bodies.work_of_adhesion, control)?;
+        return Ok((contact, state));
+    }
     let mut refused = None;
     for ([from, to], over_top) in RANGES {
         let range = match &bodies.stack {
@@ -311,10 +304,7 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
                  stack; with a smaller sphere or a smaller work of adhesion it is smaller"
             )),
             Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
-            state => {
-                let state = state?;
-                return Ok((contact, state));
-            }
+            state => return Ok((contact, state?)),
         };
     }
     Err(refused.expect("there are ranges"))

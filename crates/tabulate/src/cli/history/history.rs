@@ -325,9 +325,6 @@ fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contac
     let begin = BEGIN * reach.min(1.0);
     let begin = if end > 0.0 { begin.min(end) } else { begin };
     let range = [begin, reach];
-    if let Some(contact) = bodies.on_half_space(system)? {
-        return Ok(contact);
-    }
     let [first, second] = TOLERANCES;
     let contact = bodies.contact(system, range, first);
     Ok(contact.or_else(|_| bodies.contact(system, range, second))?)
