@@ -5,7 +5,7 @@ use acceptance::{
     Refused, flat_ended_cone, larger, looked_up, on_half_space, power_law, rigid_probe,
     rounded_cone, simpson, solid, solved_contact, stack,
 };
-use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
+use contact::{CohesiveState, CohesiveZone, Contact, Control, Equilibrium, ZoneSize, root};
 use interp::{Elastic, Probe};
 use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
@@ -190,7 +190,7 @@ fn equilibria_are_the_states_of_their_radii() {
         ),
     ] {
         let found = attraction.equilibria(control, imposed).expect("equilibria");
-        let distance = |found: &CohesiveEquilibrium| {
+        let distance = |found: &Equilibrium<CohesiveState>| {
             (found.state.contact_radius / state.contact_radius - 1.0).abs()
         };
         let nearest = found

@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 
 use super::line_energy::LineEnergy;
 use crate::Error;
-use crate::{Contact, Control};
+use crate::{Contact, Control, Equilibrium};
 use interp::Probe;
 use interp::check::positive;
 
@@ -56,15 +56,6 @@ pub struct CohesiveState {
     pub load: f64,
     /// Penetration `delta`, m, positive when the sphere has moved in.
     pub penetration: f64,
-}
-
-/// An equilibrium at an imposed value, with a cohesive zone around the contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CohesiveEquilibrium {
-    /// The state of the contact.
-    pub state: CohesiveState,
-    /// Whether the contact returns to this state after a small change of its radius.
-    pub stable: bool,
 }
 
 /// A contact with a short cohesive zone, from [`Contact::cohesive_zone`].
@@ -211,7 +202,7 @@ impl ShortZone<'_> {
         &self,
         control: Control,
         imposed: f64,
-    ) -> Result<Vec<CohesiveEquilibrium>, Error> {
+    ) -> Result<Vec<Equilibrium<CohesiveState>>, Error> {
         let all = self
             .contact
             .equilibria_with(self.energy, control)?
@@ -220,7 +211,7 @@ impl ShortZone<'_> {
         for tip in all {
             match self.at_tip(tip.state.contact_radius) {
                 Err(Error::LongZone { .. } | Error::Tension { .. }) if !tip.stable => {}
-                state => found.push(CohesiveEquilibrium {
+                state => found.push(Equilibrium {
                     state: state?,
                     stable: tip.stable,
                 }),

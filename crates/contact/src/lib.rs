@@ -35,7 +35,7 @@ mod root;
 mod shape;
 mod validity;
 
-pub use cohesive_zone::{CohesiveEquilibrium, CohesiveState, CohesiveZone, ShortZone};
+pub use cohesive_zone::{CohesiveState, CohesiveZone, ShortZone};
 pub use contact::{Contact, State};
 pub use equilibria::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use error::Error;

@@ -59,11 +59,11 @@ impl Control {
     }
 }
 
-/// An equilibrium at an imposed value.
+/// An equilibrium at an imposed value, of a contact whose states are of the kind `S`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Equilibrium {
+pub struct Equilibrium<S = State> {
     /// The state of the contact.
-    pub state: State,
+    pub state: S,
     /// Whether the contact returns to this state after a small change of its radius. It does where
     /// the imposed value grows with the contact radius.
     pub stable: bool,

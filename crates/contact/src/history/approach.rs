@@ -133,7 +133,7 @@ impl<'a> Approach<'a> {
     }
 
     /// Returns the elastic contact at a penetration.
-    fn at(&self, time: f64, penetration: f64) -> Passed {
+    pub fn at(&self, time: f64, penetration: f64) -> Passed {
         let curve = &self.setting.curve;
         let piece = curve.piece(penetration.max(0.0));
         let (load, stiffness) = curve.load(piece, penetration);

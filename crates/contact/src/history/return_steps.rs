@@ -261,15 +261,7 @@ impl<'a> Return<'a> {
         let [from, to] = [self.approach.passed[low], self.approach.passed[low + 1]];
         let part = (time - from.time) / (to.time - from.time);
         let penetration = from.penetration + (to.penetration - from.penetration) * part;
-        let curve = &self.approach.setting.curve;
-        let (load, stiffness) = curve.load(curve.piece(penetration.max(0.0)), penetration);
-        Passed {
-            time,
-            penetration,
-            load,
-            stiffness,
-            bend: from.bend,
-        }
+        self.approach.at(time, penetration)
     }
 
     /// Returns the contact if the line is where it was at a point of the approach.

@@ -43,17 +43,6 @@ impl CrackTip for f64 {
     }
 }
 
-/// The law behind a reference, for a law that is chosen at run time.
-impl<L: CrackTip + ?Sized> CrackTip for &L {
-    fn at_rest(&self) -> [f64; 2] {
-        (**self).at_rest()
-    }
-
-    fn speed(&self, energy_release_rate: f64) -> f64 {
-        (**self).speed(energy_release_rate)
-    }
-}
-
 /// The law in a box, for a law that is chosen at run time.
 impl<L: CrackTip + ?Sized> CrackTip for Box<L> {
     fn at_rest(&self) -> [f64; 2] {
