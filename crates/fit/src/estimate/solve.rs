@@ -1,7 +1,7 @@
 //! The fit, from the data to the result.
 
 use contact::HistoryError;
-use interp::{Probe, Table};
+use interp::Table;
 
 use super::fixed_values;
 use super::left_out;
@@ -148,7 +148,7 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
     if problem.ending != Ending::Converged || found.uncertainty.is_none() || open.is_empty() {
         return Ok(());
     }
-    let is_punch = |one: &Assigned| matches!(one.experiment.bodies.probe, Probe::FlatPunch { .. });
+    let is_punch = |one: &Assigned| one.experiment.bodies.probe.is_flat_punch();
     let is_work = |&slot: &usize| problem.slots[slot].parameter.is_work_of_adhesion();
     Err(Error::NotDetermined {
         parameters: names_of(problem, &open),

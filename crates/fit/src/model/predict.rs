@@ -2,7 +2,6 @@
 //! derivatives with respect to parameters.
 
 use contact::{Contact, Derivatives, Equilibria, Input, State};
-use interp::Probe;
 
 use super::predicted::{BranchEnd, Predicted};
 use super::predictor::Predictor;
@@ -178,7 +177,7 @@ impl Predictor<'_> {
         let (of, contact, columns) = (self.experiment, self.contact, self.columns);
         let (control, w, a) = (of.control(), of.work_of(branch), end.contact_radius);
         let least = control.imposed(end.load, end.penetration);
-        let slope = if matches!(of.bodies.probe, Probe::FlatPunch { .. }) {
+        let slope = if of.bodies.probe.is_flat_punch() {
             let stiffness = contact.stiffness(a)?;
             stiffness / control.imposed(stiffness, 1.0)
         } else {

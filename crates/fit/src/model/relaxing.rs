@@ -1,7 +1,7 @@
 //! Bodies that relax: what is known of them, and the loads in time.
 
 use contact::{Contact, Control, HistoryInputs, Input, LawParameter, Relaxation};
-use interp::{Elastic, Probe, Table};
+use interp::{Elastic, Table};
 
 use super::differences::ContactOf;
 use super::predicted::Predicted;
@@ -86,7 +86,7 @@ impl Experiment {
             let what = "the number of relaxation times";
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
-        if matches!(self.bodies.probe, Probe::FlatPunch { .. }) {
+        if self.bodies.probe.is_flat_punch() {
             return Err(self.not_fitted(
                 "a relaxation function is fitted under probes whose contact grows, and that of a flat punch does not",
             ));

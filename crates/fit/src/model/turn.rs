@@ -1,7 +1,6 @@
 //! The turn from approach to retract under adhesion hysteresis.
 
 use contact::{Derivatives, Input, State};
-use interp::Probe;
 
 use super::predictor::Predictor;
 use super::{Branch, Parameter};
@@ -21,7 +20,7 @@ impl Predictor<'_> {
     /// Returns the contact at the turn, if the receding work of adhesion is the larger one.
     pub(super) fn turn(&self) -> Result<Option<Turn>, contact::Error> {
         let (of, contact) = (self.experiment, self.contact);
-        if matches!(of.bodies.probe, Probe::FlatPunch { .. }) {
+        if of.bodies.probe.is_flat_punch() {
             // Its contact is as wide as the punch in any state.
             return Ok(None);
         }

@@ -234,7 +234,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     let probe = &experiment.bodies.probe;
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     let kind = experiment.measurement.kind;
-    if !matches!(probe, Probe::Paraboloid { .. }) {
+    if !probe.is_paraboloid() {
         rows.push(("probe".into(), shape(probe)));
     }
     if experiment.bodies.are_half_space() {

@@ -85,6 +85,16 @@ impl Probe {
         }
     }
 
+    /// Tells whether this is a paraboloid, which stands for a sphere in small contacts.
+    pub const fn is_paraboloid(&self) -> bool {
+        matches!(self, Self::Paraboloid { .. })
+    }
+
+    /// Tells whether this is a flat punch, all contacts of which have one radius.
+    pub const fn is_flat_punch(&self) -> bool {
+        matches!(self, Self::FlatPunch { .. })
+    }
+
     /// Returns the name in words.
     pub const fn name(&self) -> &'static str {
         match self {

@@ -7,7 +7,7 @@ use anyhow::ensure;
 use clap::ValueHint;
 use contact::magnitude::Magnitude;
 use contact::{Contact, Validity};
-use interp::{HalfSpace, Probe, System};
+use interp::{HalfSpace, System};
 
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
@@ -155,7 +155,7 @@ impl BodiesArguments {
         };
         let probe = &system.probe;
         ensure!(
-            stack.is_none() || matches!(probe, Probe::Paraboloid { .. } | Probe::FlatPunch { .. }),
+            stack.is_none() || probe.is_paraboloid() || probe.is_flat_punch(),
             "--probe: layers that are not one bonded film are solved under a paraboloid or a flat punch, and not under a \
              {}; choose --probe flat-punch, or leave --probe out",
             probe.name()
@@ -174,7 +174,7 @@ impl Bodies {
     /// Notes on standard error that a contact radius (m) is too large for a paraboloid to stand for a
     /// sphere, or that another probe is steep there.
     pub fn note_large_contact(&self, a: f64) {
-        let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
+        let paraboloid = self.system.probe.is_paraboloid();
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
             let exact = if self.half_space {
                 "--probe sphere takes the shape of the sphere".to_owned()
@@ -320,7 +320,7 @@ impl Bodies {
             "interaction range = {range:?} m: it must be at most the radius of the sphere, {sphere_radius:?} m, and is \
              some nanometres in most contacts; check its unit"
         );
-        if !matches!(system.probe, Probe::Paraboloid { .. }) {
+        if !system.probe.is_paraboloid() {
             let probe = system.probe.name();
             return Err(solve::Error::OnlyParaboloid { probe }.into());
         }

@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "contact radii run from above 0 to more than that: --from{from_default} is {from:?} m, and \
          --to{to_default} is {to:?} m"
     );
-    let punch = matches!(system.probe, Probe::FlatPunch { .. });
+    let punch = system.probe.is_flat_punch();
     ensure!(
         !punch || arguments.from.is_none() && arguments.to.is_none(),
         "--probe flat-punch has one contact radius, --sphere-radius: leave out --from and --to"
@@ -300,7 +300,7 @@ impl<'a> States<'a> {
             // The single radius of a punch is the end of a short curve.
             let range = [from.min(0.9 * to), to].map(over_thickness);
             Source::Curve(solved(range, tolerance)?)
-        } else if matches!(system.probe, Probe::Paraboloid { .. }) {
+        } else if system.probe.is_paraboloid() {
             let range = [from, to].map(over_thickness);
             let slopes = || solved(range, tolerance.max(LEAST_OF_SLOPES));
             let slopes = (bodies.work_of_adhesion > 0.0).then(slopes);

@@ -2,7 +2,6 @@
 
 use clap::ValueEnum;
 use contact::Contact;
-use interp::Probe;
 use solve::Error;
 use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE};
 
@@ -238,7 +237,7 @@ impl HistoryArguments {
 
 pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
     anyhow::ensure!(
-        matches!(bodies.system.probe, Probe::Paraboloid { .. }),
+        bodies.system.probe.is_paraboloid(),
         "--friction stick takes --probe paraboloid only; `tabulate solve --friction stick` answers for \
          a flat punch (eeq_s, gamma_eff)"
     );
@@ -264,8 +263,7 @@ pub fn note_size(bodies: &Bodies, a: f64) {
         // Of a wider contact than is solved, the widest that is.
         let a_over_t = (a / bodies.system.film_thickness).min(sticking.most_of_punch());
         let ratio = sticking.stiffening(a_over_t, TOLERANCE)?;
-        let is_solved =
-            sticking.beta() == 0.0 && matches!(bodies.system.probe, Probe::Paraboloid { .. });
+        let is_solved = sticking.beta() == 0.0 && bodies.system.probe.is_paraboloid();
         Ok((a_over_t * bodies.system.film_thickness, ratio, is_solved))
     });
     if let Ok((a, ratio, is_solved)) = found

@@ -2,7 +2,7 @@
 //! strains, friction and attraction over a range.
 
 use contact::{Contact, Validity, ZoneSize};
-use interp::{Probe, Table};
+use interp::Table;
 
 use super::friction;
 use crate::estimate::problem::Problem;
@@ -78,7 +78,7 @@ fn doubts(
     if let Some(doubt) = experiment.doubt_of_film([least, a]) {
         warnings.push(WarningKind::Implausible.with(format!("{name}: {doubt}")));
     }
-    let paraboloid = matches!(experiment.bodies.probe, Probe::Paraboloid { .. });
+    let paraboloid = experiment.bodies.probe.is_paraboloid();
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
         let exact = "the exact sphere, which is a probe of its own";
         let limit = Validity::EXACT_SPHERE_A_OVER_R;

@@ -9,7 +9,6 @@
 use std::f64::consts::PI;
 
 use contact::Contact;
-use interp::Probe;
 
 use super::hold;
 use crate::estimate::problem::Problem;
@@ -49,7 +48,7 @@ struct Sample {
 pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
-    if matches!(experiment.bodies.probe, Probe::FlatPunch { .. }) {
+    if experiment.bodies.probe.is_flat_punch() {
         return None;
     }
     let Some(ways) = experiment.ways() else {

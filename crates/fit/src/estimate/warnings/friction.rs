@@ -2,7 +2,6 @@
 //! laws of friction.
 
 use contact::Contact;
-use interp::Probe;
 use solve::stick::Sticking;
 
 use crate::{Bodies, Estimate, Experiment, Kind, Parameter, Warning, WarningKind};
@@ -54,7 +53,7 @@ pub(crate) fn doubt(
     };
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
-    let is_punch = matches!(bodies.probe, Probe::FlatPunch { .. });
+    let is_punch = bodies.probe.is_flat_punch();
     let has_radii = is_punch || kind == Kind::LoadRadius || !experiment.has_shape(false);
     let is_found = |parameter| estimates.iter().any(|one| one.parameter == parameter);
     let bounds = if !has_radii || is_found(Parameter::Hardness) {
@@ -68,7 +67,7 @@ pub(crate) fn doubt(
         format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
     };
     // A growing contact with full friction is solved under these conditions only.
-    let paraboloid = matches!(bodies.probe, Probe::Paraboloid { .. });
+    let paraboloid = bodies.probe.is_paraboloid();
     let both = if paraboloid && is_uncoupled && !kind.is_stiffness() {
         "fit with both, or "
     } else {

@@ -7,7 +7,6 @@ use ::fit::{
     Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
-use interp::Probe;
 
 use super::indentation::{
     IndentationArguments, accept_no_radius, accept_no_shape, are_at_depths, forget_shape,
@@ -181,8 +180,7 @@ impl KnownArguments {
         let is_at_radii =
             |one: &Measurement| matches!(one.kind, Kind::LoadRadius | Kind::PenetrationRadius);
         ensure!(
-            !matches!(system.probe, Probe::FlatPunch { .. })
-                || !measurements.iter().any(is_at_radii),
+            !system.probe.is_flat_punch() || !measurements.iter().any(is_at_radii),
             "--probe flat-punch: the contact radius under a punch is that of the punch, and contact radii tell nothing of \
              it: give penetrations and loads"
         );

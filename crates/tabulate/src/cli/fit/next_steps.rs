@@ -1,7 +1,6 @@
 //! The flags that follow from the warnings of a fit.
 
 use ::fit::{Experiment, Fit, Parameter, WarningKind};
-use interp::Probe;
 
 /// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
 const WAYS: [&str; 2] = [
@@ -91,9 +90,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     );
     let wants = applies(WarningKind::OffsetWanted) || applies(WarningKind::OffsetHinted);
     steps.extend(wants.then_some(&*wanted));
-    let is_exact = |one: &Experiment| {
-        !one.bodies.are_layered() && matches!(one.bodies.probe, Probe::Paraboloid { .. })
-    };
+    let is_exact = |one: &Experiment| !one.bodies.are_layered() && one.bodies.probe.is_paraboloid();
     let exact = applies(WarningKind::LargeContact) && experiments.iter().any(is_exact);
     steps.extend(exact.then_some("the exact sphere: --probe sphere"));
     steps.dedup();

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueHint, value_parser};
 use contact::{Contact, Control, Course, HistoryError, Hysteresis, Relaxation};
-use interp::{Elastic, Probe, System};
+use interp::{Elastic, System};
 use solve::stack::{Interface, Layer, Stack};
 
 use super::program;
@@ -122,7 +122,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut bodies = given.read_checked(arguments.work_of_adhesion_receding)?;
     bodies.work_of_adhesion = 0.0;
     ensure!(
-        !matches!(bodies.system.probe, Probe::FlatPunch { .. }),
+        !bodies.system.probe.is_flat_punch(),
         "--probe flat-punch: a history is that of a contact that grows and shrinks, and the contact of a punch does \
          not; choose another --probe"
     );
