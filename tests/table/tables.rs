@@ -285,3 +285,33 @@ fn a_material_on_another_substrate_poisson_ratio_is_looked_up_as_its_equivalent(
         "the films must differ for the comparison to mean anything"
     );
 }
+
+/// Values at the ends of the coordinates, near them and between them.
+#[test]
+fn values_are_those_of_their_coordinates() {
+    let ends = [
+        (Parameter::E1sOverEinfs, 1e-10),
+        (Parameter::E0sOverE2s, 1e-11),
+    ];
+    for (parameter, end) in ends {
+        assert_eq!(parameter.coordinate(0.0), f64::ln(end));
+    }
+    let moduli = [0.0, 1e-13, 1e-11, 1e-10, 1e-3, 1.0, 1e3, 1e11];
+    let ratios = [-0.5, 0.0, 0.3, 0.499_999, 0.5];
+    for (parameter, values) in [
+        (Parameter::AOverT, &moduli[4..7]),
+        (Parameter::E1sOverEinfs, &moduli),
+        (Parameter::E0sOverE2s, &moduli),
+        (Parameter::Nu1, &ratios),
+    ] {
+        for &value in values {
+            let coordinate = parameter.coordinate(value);
+            let off = parameter.coordinate(parameter.value(coordinate)) - coordinate;
+            assert!(
+                off.abs() < 1e-10,
+                "{} = {value:e}: {off:e}",
+                parameter.name()
+            );
+        }
+    }
+}
