@@ -38,9 +38,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             }
             _ => true,
         };
-        let mut values = assigned.iter();
-        let first = values.find_map(|one| one.experiment.value_of(*quantity));
-        let Some(first) = first else {
+        let mut values = assigned
+            .iter()
+            .filter_map(|one| one.experiment.value_of(*quantity));
+        let Some(first) = values.next() else {
             let allowed = "of a value that the measurement has: check its name and the bodies";
             return Err(Error::setting(name, f64::NAN, allowed));
         };
@@ -73,13 +74,6 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             );
             return Err(Error::setting(name, *error, allowed));
         }
-        let mut others = values.filter_map(|one| one.experiment.value_of(*quantity));
-        if let Some(other) = others.find(|value| *value != first)
-            && !is_scale
-        {
-            let allowed = "one for all measurements: several values err in proportion, as moduli and lengths may";
-            return Err(Error::setting(name, other, allowed));
-        }
     }
     Ok(())
 }
@@ -111,7 +105,7 @@ pub(super) fn effects(
     let listed = problem
         .experiments()
         .flat_map(|one| one.fixed(&free))
-        .filter(|_| all);
+        .filter(|one| all && is_apart(problem, *one));
     for quantity in listed.chain(given) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -121,8 +115,15 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
+        let of_substrate = value_of_substrate(problem, quantity);
+        // A reference sample of another material has no substrate.
+        let is_other = |one: &Experiment| {
+            one.bodies.are_bare()
+                && of_substrate.is_some_and(|value| one.value_of(quantity) != Some(value))
+        };
         let values = problem
             .experiments()
+            .filter(|one| !is_other(one))
             .filter_map(|one| one.value_of(quantity));
         let mut values: Vec<f64> = values.collect();
         // One that is rigid does not change.
@@ -141,15 +142,15 @@ pub(super) fn effects(
         };
         let moved = |step: f64| {
             let by = PART * step;
-            // Several measurements may have values of their own: each changes in proportion.
-            let part = if quantity.is_poisson_ratio() || value == 0.0 {
-                by
-            } else {
-                by / value
-            };
-            let is_relative = part != by;
-            residuals_with(problem, quantity, |own| {
-                own + if is_relative { part * own } else { part }
+            // Several measurements may have values of their own.
+            let is_relative = quantity.errs_in_proportion() && value != 0.0;
+            residuals_of(problem, |experiment| {
+                let own = experiment.value_of(quantity);
+                let Some(own) = own.filter(|_| !is_other(experiment)) else {
+                    return Ok(());
+                };
+                let change = if is_relative { by / value * own } else { by };
+                experiment.replace_fixed(quantity, own + change)
             })
         };
         let here = problem.plain_residuals()?;
@@ -177,6 +178,30 @@ pub(super) fn effects(
         })
     };
     quantities.into_iter().filter_map(effect).collect()
+}
+
+/// Returns the value of a quantity of a substrate below layers; `None` for other quantities.
+fn value_of_substrate(problem: &Problem<'_>, quantity: Fixed) -> Option<f64> {
+    let is_of_substrate = matches!(
+        quantity,
+        Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio
+    );
+    let mut coated = problem.experiments().filter(|one| !one.bodies.are_bare());
+    coated.find_map(|one| one.value_of(quantity).filter(|_| is_of_substrate))
+}
+
+/// Tells whether a quantity is listed: one of a reference sample is where it is not that of a substrate.
+fn is_apart(problem: &Problem<'_>, quantity: Fixed) -> bool {
+    let substrate = match quantity {
+        Fixed::ReferenceModulus => Fixed::SubstrateModulus,
+        Fixed::ReferencePoissonRatio => Fixed::SubstratePoissonRatio,
+        _ => return true,
+    };
+    let of_substrate = value_of_substrate(problem, substrate);
+    let mut samples = problem
+        .experiments()
+        .filter_map(|one| one.value_of(quantity));
+    of_substrate.is_some() && samples.any(|value| of_substrate != Some(value))
 }
 
 /// Adds the errors of known values to the standard errors and the correlation.

@@ -74,6 +74,11 @@ impl Bodies {
         self.solver == Solver::HalfSpace
     }
 
+    /// Tells whether the probe is on a base without layers, that of a reference sample.
+    pub fn are_bare(&self) -> bool {
+        self.layers.is_empty() && !self.are_half_space()
+    }
+
     /// Tells whether the contacts are those on layers, which have no exact derivatives.
     pub fn are_layered(&self) -> bool {
         !self.are_coated() && !self.are_half_space()

@@ -21,6 +21,11 @@ pub enum Fixed {
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
     SubstratePoissonRatio,
+    /// Young's modulus of a reference sample, which has no layers, Pa. Where it is that of a substrate beside it, both
+    /// are taken for one material, and it is a [`Self::SubstrateModulus`].
+    ReferenceModulus,
+    /// The Poisson ratio of such a sample.
+    ReferencePoissonRatio,
     /// A number of a layer of a stack without a name, by its number from 1, from the base up.
     Layer(usize, LayerQuantity),
     /// The Poisson ratio of such a layer.
@@ -43,10 +48,11 @@ impl Fixed {
         match self {
             Self::Parameter(parameter) => parameter.dimension(),
             Self::SphereRadius => Some(Dimension::Length),
-            Self::SubstrateModulus => Some(Dimension::Modulus),
+            Self::SubstrateModulus | Self::ReferenceModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
             Self::Beta
             | Self::SubstratePoissonRatio
+            | Self::ReferencePoissonRatio
             | Self::LayerPoissonRatio(_)
             | Self::NamedPoissonRatio(_) => None,
         }
@@ -60,6 +66,8 @@ impl Fixed {
             Self::Beta => "beta".into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
+            Self::ReferenceModulus => "reference-modulus".into(),
+            Self::ReferencePoissonRatio => "reference-poisson-ratio".into(),
             Self::Layer(number, what) => format!("layer-{number}.{}", what.name()).into(),
             Self::LayerPoissonRatio(number) => format!("layer-{number}.poisson-ratio").into(),
             Self::NamedPoissonRatio(layer) => format!("{layer}.poisson-ratio").into(),
@@ -82,6 +90,8 @@ impl Fixed {
             Self::Beta,
             Self::SubstrateModulus,
             Self::SubstratePoissonRatio,
+            Self::ReferenceModulus,
+            Self::ReferencePoissonRatio,
         ];
         let of_layer = || {
             let (number, what) = name.strip_prefix("layer-")?.split_once('.')?;
@@ -109,6 +119,15 @@ impl Fixed {
         }
     }
 
+    /// Tells whether several values err in proportion, by one factor, as positive values do. Others are off by the
+    /// same number.
+    pub const fn errs_in_proportion(self) -> bool {
+        match self {
+            Self::Parameter(parameter) => parameter.is_positive(),
+            _ => !self.is_poisson_ratio(),
+        }
+    }
+
     pub(crate) const fn is_poisson_ratio(self) -> bool {
         match self {
             Self::Parameter(parameter) => matches!(parameter, Parameter::FilmPoissonRatio),
@@ -124,6 +143,8 @@ impl Experiment {
             Fixed::SphereRadius,
             Fixed::SubstrateModulus,
             Fixed::SubstratePoissonRatio,
+            Fixed::ReferenceModulus,
+            Fixed::ReferencePoissonRatio,
         ];
         let mut parameters = Parameter::ALL.to_vec();
         parameters.extend(self.bodies.parameters_of_layers());
@@ -180,6 +201,7 @@ impl Experiment {
         let numbered = self.bodies.are_layered().then_some(&self.bodies.layers);
         let layer = |number: usize| numbered?.get(number.wrapping_sub(1));
         let poisson = |solid: Elastic| solid.young().is_finite().then(|| solid.poisson());
+        let reference = self.bodies.are_bare().then_some(self.bodies.base);
         match one {
             Fixed::Parameter(Parameter::FilmPoissonRatio) => {
                 self.get(Parameter::FilmPoissonRatio)?;
@@ -194,6 +216,8 @@ impl Experiment {
                 .then_some(self.indentation.beta),
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
+            Fixed::ReferenceModulus => reference.map(|solid| solid.young()),
+            Fixed::ReferencePoissonRatio => reference.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
             Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
             Fixed::NamedPoissonRatio(name) => poisson(self.bodies.layer(name)?.layer.solid),
@@ -252,10 +276,10 @@ impl Experiment {
                     *radius = value;
                 }
             }
-            Fixed::SubstrateModulus => {
+            Fixed::SubstrateModulus | Fixed::ReferenceModulus => {
                 self.bodies.base = Elastic::new(value, self.bodies.base.poisson())?;
             }
-            Fixed::SubstratePoissonRatio => {
+            Fixed::SubstratePoissonRatio | Fixed::ReferencePoissonRatio => {
                 self.bodies.base = Elastic::new(self.bodies.base.young(), value)?;
             }
             _ => {

@@ -124,7 +124,8 @@ impl Loss {
 }
 
 /// The standard error of a value that the fit takes as given. Where measurements have different values, it is that of
-/// the first, and the others err in proportion: one factor, such as that of an ellipsometer, is off for all.
+/// the first, and the others err in proportion, as by one factor of an ellipsometer; Poisson ratios and zeros are off by
+/// the same number.
 ///
 /// The fit keeps the value, and its error passes on to the standard errors and the correlation of
 /// the values found: to the first order, independent of the noise and of other known values. A

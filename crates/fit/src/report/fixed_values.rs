@@ -33,7 +33,7 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
     }
     for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
         let error = one.error.unwrap_or(0.0);
-        let (unit, size) = if one.values.is_empty() {
+        let (unit, size) = if one.values.is_empty() || !one.quantity.errs_in_proportion() {
             // That of a zero has the prefix of the error.
             scaled(one.quantity.unit(), one.value.abs().max(error))
         } else {

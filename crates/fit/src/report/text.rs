@@ -175,10 +175,9 @@ fn column(source: &Source) -> String {
 
 /// Lists the values that are not fitted: one, or that of each file if they differ.
 fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>, String)> {
-    let of = |experiment| fixed(fit, experiment);
+    let beside_layers = experiments.iter().any(|one| !one.bodies.are_bare());
+    let of = |experiment| fixed(fit, experiment, beside_layers);
     let all: Vec<Vec<(Cow<'static, str>, String)>> = experiments.iter().map(of).collect();
-    // A reference without a film has a substrate without a symbol.
-    let value = |text: &str| text.trim_end_matches(" E0").to_owned();
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     for (name, _) in all.iter().flatten() {
         if rows.iter().any(|row| row.0 == *name) {
@@ -193,7 +192,7 @@ fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>
                 own.map(|row| &*row.1).or(is_zero.then_some("0"))
             })
             .collect();
-        let differ = texts.iter().any(|text| value(text) != value(texts[0]));
+        let differ = texts.iter().any(|text| *text != texts[0]);
         rows.push((
             name.clone(),
             texts[..if differ { texts.len() } else { 1 }].join(", "),
@@ -223,8 +222,13 @@ fn shape(probe: &Probe) -> String {
     }
 }
 
-/// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
-fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
+/// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out. A bare sample is a reference
+/// `beside_layers`.
+fn fixed(
+    fit: &Fit,
+    experiment: &Experiment,
+    beside_layers: bool,
+) -> Vec<(Cow<'static, str>, String)> {
     let text = |value: f64, si: &str| {
         let (unit, size) = scaled(si, value);
         // Without the rounding of the division.
@@ -245,6 +249,10 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     let has_shape = experiment.has_shape(has_hardness);
     let is_listed = |one: Fixed, value: f64| match one {
         Fixed::SphereRadius => has_shape,
+        Fixed::ReferenceModulus | Fixed::ReferencePoissonRatio => beside_layers,
+        Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio => {
+            !(beside_layers && experiment.bodies.are_bare())
+        }
         Fixed::Parameter(parameter) => {
             fit.estimate(parameter).is_none()
                 && (value != 0.0 || parameter.is_positive())
@@ -260,9 +268,9 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             .filter(|&value| is_listed(one, value))?;
         let label = match one {
             Fixed::SubstrateModulus if experiment.bodies.are_coated() => ", Young's modulus E0",
-            Fixed::SubstrateModulus | Fixed::Layer(_, LayerQuantity::Modulus) => {
-                ", Young's modulus"
-            }
+            Fixed::SubstrateModulus
+            | Fixed::ReferenceModulus
+            | Fixed::Layer(_, LayerQuantity::Modulus) => ", Young's modulus",
             Fixed::Parameter(parameter) => which_modulus(parameter),
             _ => "",
         };

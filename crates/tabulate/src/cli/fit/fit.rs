@@ -325,11 +325,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 bail!("--known {parameter}: {TWO_WORKS}");
             }
             let Some(value) = *value else { continue };
-            if i >= arguments.data.len() && experiment.set_fixed(*quantity, value).is_err() {
-                // A reference sample has no film.
+            let is_reference = i >= arguments.data.len();
+            if arguments.reference.is_apart(*quantity, is_reference) {
                 continue;
             }
             let set = experiment.set_fixed(*quantity, value);
+            if is_reference && set.is_err() {
+                // A reference sample has no film.
+                continue;
+            }
             set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
         }
         // A flag stands for a column.
@@ -350,7 +354,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let system = &arguments.known.bodies.system;
     for given in &arguments.given {
-        given.accept_once(&arguments.known, &values)?;
+        given.accept_once(&arguments.known, &arguments.reference, &values)?;
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
@@ -408,7 +412,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let table = arguments.table.read_for_contacts()?;
     let table: &Table = &table;
-    let known = arguments.given.iter().map(|one| one.known(&experiments));
+    let samples = experiments.len() - arguments.data.len();
+    let known = arguments.given.iter();
+    let known = known.map(|one| one.known(&experiments, samples));
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,

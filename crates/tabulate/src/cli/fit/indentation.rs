@@ -205,6 +205,26 @@ pub struct ReferenceArguments {
 }
 
 impl ReferenceArguments {
+    /// Returns the values of its own that the sample may have.
+    pub const fn own(&self) -> [(Fixed, Option<f64>); 2] {
+        [
+            (Fixed::ReferenceModulus, self.reference_modulus),
+            (Fixed::ReferencePoissonRatio, self.reference_poisson_ratio),
+        ]
+    }
+
+    /// Tells whether a value is one of other bodies than those of a file, which `is_reference` or holds data.
+    pub const fn is_apart(&self, quantity: Fixed, is_reference: bool) -> bool {
+        match quantity {
+            Fixed::SubstrateModulus => is_reference && self.reference_modulus.is_some(),
+            Fixed::SubstratePoissonRatio => is_reference && self.reference_poisson_ratio.is_some(),
+            Fixed::ReferenceModulus | Fixed::ReferencePoissonRatio => {
+                !is_reference && self.reference.is_some()
+            }
+            _ => false,
+        }
+    }
+
     /// Refuses a reference sample that tells nothing: it has no film, and its own values are of no use.
     pub fn check(&self, free: &[Free]) -> anyhow::Result<()> {
         let is_common = |one: &Free| {

@@ -8,6 +8,7 @@ use anyhow::{bail, ensure};
 use units::Dimension;
 
 use super::experiments::KnownArguments;
+use super::indentation::ReferenceArguments;
 use crate::cli::quantity::{self, read};
 use crate::cli::system::Value;
 
@@ -39,30 +40,53 @@ enum GivenError {
 }
 
 impl Given {
-    /// Returns the error for a fit of experiments.
-    pub fn known(&self, experiments: &[Experiment]) -> anyhow::Result<Known> {
+    /// Returns the error for a fit of experiments, the last of which may be on a `reference` sample.
+    pub fn known(&self, experiments: &[Experiment], reference: usize) -> anyhow::Result<Known> {
         let quantity = self.quantity;
-        let values = experiments.iter().filter_map(|one| one.value_of(quantity));
-        let values: Vec<f64> = values.collect();
-        let error = match (self.error, &values[..]) {
-            (GivenError::Absolute(error), [first, rest @ ..]) => {
-                let name = quantity.name();
+        let name = quantity.name();
+        let values = |of: &[Experiment]| -> Vec<f64> {
+            let values = of.iter().filter_map(|one| one.value_of(quantity));
+            values.filter(|value| value.is_finite()).collect()
+        };
+        let (data, sample) = experiments.split_at(experiments.len() - reference);
+        let mut all = values(data);
+        if all.is_empty() {
+            all = values(sample);
+        }
+        let is_factor = quantity.errs_in_proportion();
+        let first = all.first().copied().unwrap_or_default();
+        let error = match self.error {
+            GivenError::Absolute(error) => {
                 ensure!(
-                    rest.iter().all(|value| value == first),
+                    !is_factor || all.iter().all(|value| *value == first),
                     "--known {name}: the files have different values, and {error:?} is the error of one: give a part of \
                      the values in per cent, {name}=+-3%, by which all err together"
                 );
                 error
             }
-            (GivenError::Relative(part), [first, ..]) => part * first.abs(),
-            // The fit refuses what no measurement has.
-            (GivenError::Absolute(error) | GivenError::Relative(error), []) => error,
+            GivenError::Relative(part) => {
+                ensure!(
+                    is_factor,
+                    "--known {name}: an error in per cent is one of a value that is always positive: give that of \
+                     {name} {}",
+                    match quantity.unit() {
+                        "1" => "as a number, such as +-0.02".to_owned(),
+                        unit => format!("in {unit}"),
+                    }
+                );
+                part * first
+            }
         };
         Ok(Known { quantity, error })
     }
 
     /// Refuses a quantity to which a flag gives another value, or --value one for each file.
-    pub fn accept_once(&self, flags: &KnownArguments, values: &[Values]) -> anyhow::Result<()> {
+    pub fn accept_once(
+        &self,
+        flags: &KnownArguments,
+        reference: &ReferenceArguments,
+        values: &[Values],
+    ) -> anyhow::Result<()> {
         let Some(known) = self.value else {
             return Ok(());
         };
@@ -72,7 +96,12 @@ impl Given {
             (value.flag(), flags.fixed(value), given)
         });
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
-        for (flag, quantity, other) in of_bodies.into_iter().chain([
+        let of_sample = reference.own().map(|(quantity, value)| {
+            let flag = format!("--{}", quantity.name());
+            (flag, quantity, value)
+        });
+        let of_bodies = of_bodies.into_iter().chain(of_sample);
+        for (flag, quantity, other) in of_bodies.chain([
             ("--stiffness".to_owned(), of_cantilever, flags.stiffness),
             ("--beta".to_owned(), Fixed::Beta, flags.indentation.beta),
         ]) {
@@ -101,7 +130,8 @@ impl FromStr for Given {
         let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
                 "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
-                 substrate-poisson-ratio, beta or a parameter that is not free, such as film-thickness"
+                 substrate-poisson-ratio, reference-modulus, reference-poisson-ratio, beta or a parameter that is not \
+                 free, such as film-thickness"
             )
         })?;
         let (value, error) = parts(known, how)?;
