@@ -19,6 +19,18 @@ pub fn half_space() -> Contact {
     Contact::half_space(&bare()).expect("physical")
 }
 
+/// A half-space as film and substrate, whose contacts are solved from a radius on.
+pub fn beginning_at(radius: f64) -> Contact {
+    let system = paper_system(1e-3);
+    let system = System {
+        substrate: system.film,
+        ..system
+    };
+    let range = [radius, 1e-3].map(|a| a / system.film_thickness);
+    let curve = solve::curve(&system.material().expect("physical"), range, 1e-10);
+    Contact::new(&system, curve.expect("solved")).expect("its material")
+}
+
 pub fn coated(film_thickness: f64) -> Contact {
     looked_up(&paper_system(film_thickness))
 }
@@ -331,4 +343,8 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     assert!((range.cohesive_zone / (PI * k * k / 8.0 / (w / z0).powi(2)) - 1.0).abs() < 1e-13);
     assert!(range.is_jkr());
     assert!(!contact.zone_size(w, 1e-6).expect("physical").is_jkr());
+    // A pull-off that is not known has no tension.
+    let wide = beginning_at(5e-4);
+    let range = wide.zone_size(w, z0).expect("physical");
+    assert!(range.tension.is_nan() && !range.is_jkr());
 }

@@ -8,6 +8,8 @@ mod slow;
 use acceptance::{assert_matches, looked_up, paper_system};
 use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
+use crate::contact::beginning_at;
+
 /// Work of adhesion, J/m^2.
 const W: f64 = 0.04;
 /// Radius of the sphere, m.
@@ -60,6 +62,12 @@ fn a_line_that_leaves_the_table_is_an_error_and_stays() {
     let ramp = line.ramp(Control::Load, load, 1.0, 1e-4);
     assert!(matches!(ramp, Err(Error::OutsideRadii { .. })), "{ramp:?}");
     assert_eq!(line.state(), before);
+    // Smaller contacts than the smallest of the curve would be stable.
+    let contact = beginning_at(55e-6);
+    let line = contact.line(rate_dependent(1e-3, 0.6), 60e-6);
+    let mut line = line.expect("physical");
+    let ramp = line.ramp(Control::Displacement, -2e-7, 1e3, 1e-4);
+    assert!(matches!(ramp, Err(Error::OutsideRadii { .. })), "{ramp:?}");
 }
 
 /// Lines of any numbers are in `crates/contact/tests/hostile/functions.rs`.

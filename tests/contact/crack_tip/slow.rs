@@ -47,6 +47,21 @@ fn a_constant_work_of_adhesion_is_jkr() {
     assert_eq!(parted.expect("finite"), None);
 }
 
+/// Rounding of the energy moves no line that is at rest.
+#[test]
+fn a_line_under_its_own_load_stays() {
+    let contact = film(10e-6);
+    for a in steps(65e-6, 90e-6, 50) {
+        for control in [Control::Load, Control::Displacement] {
+            let mut line = contact.line(W, a).expect("physical");
+            let state = line.state().expect("in contact");
+            let value = control.imposed(state.load, state.penetration);
+            let stays = impose(&mut line, control, value).contact_radius;
+            assert!(relative(stays, a) < 1e-9, "{a} {stays}");
+        }
+    }
+}
+
 #[test]
 fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
     let contact = half_space();

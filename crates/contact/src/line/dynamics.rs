@@ -164,13 +164,13 @@ impl<L: CrackTip> Motion<'_, L> {
                 self.step(&point, &mut length)?
             };
             let Some(next) = next else { continue };
-            point = next;
+            let before = std::mem::replace(&mut point, next);
             let a = point[RADIUS] * self.a1;
             if a > self.range[1] {
                 return Err(self.outside(&point));
             }
             if a < self.range[0] {
-                point = self.separation(&point)?;
+                point = self.separation(&before, point)?;
                 if !self.shrinks_further(&point)? {
                     return Err(self.outside(&point));
                 }
@@ -237,13 +237,29 @@ impl<L: CrackTip> Motion<'_, L> {
         Ok(far)
     }
 
-    /// Returns the point at which the least radius was passed shortly before `point`. Below it the
-    /// speed counts as that at the least radius.
-    fn separation(&self, point: &Point) -> Result<Point, Error> {
+    /// Returns the point between `before` and `point` at which the least radius was passed, by
+    /// shorter steps from `before`. Below it the speed counts as that at the least radius.
+    fn separation(&self, before: &Point, point: Point) -> Result<Point, Error> {
+        const MOST: usize = 10;
         let least = self.range[0] / self.a1;
-        let slope = self.slope(point[TIME], least)?;
-        let since = (point[RADIUS] - least) / slope;
-        let time = point[TIME] - if since > 0.0 { since } else { 0.0 };
+        let [mut radius, mut time] = point;
+        for _ in 0..MOST {
+            let since = (radius - least) / self.slope(time, least)?;
+            if since.is_nan() {
+                break;
+            }
+            time = (time - since).clamp(before[TIME], point[TIME]);
+            let h = time - before[TIME];
+            if since.abs() <= self.tolerance || h == 0.0 {
+                break;
+            }
+            let slope_at = |t: f64, x: f64| self.slope(t, x);
+            let start = [before[TIME], before[RADIUS]];
+            let Some(tried) = step(slope_at, start, h, 2.0 * LONGEST_STEP)? else {
+                break;
+            };
+            radius = tried.value;
+        }
         Ok([least, time])
     }
 
