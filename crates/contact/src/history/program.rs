@@ -96,7 +96,7 @@ impl Program {
 
     /// Returns the duration, s.
     pub fn duration(&self) -> f64 {
-        self.times[self.times.len() - 1] - self.times[0]
+        self.times[self.times.len() - 1]
     }
 
     /// Returns times within the long segments, close together after each point, where a load changes most.

@@ -180,7 +180,7 @@ impl Run<'_> {
         let Program { times, values, .. } = self.program;
         let largest = self.program.largest();
         let turn = values.iter().position(|&value| value == largest);
-        times[turn.expect("it is one of the values")] - times[0]
+        times[turn.expect("it is one of the values")]
     }
 
     fn refuse_adhesion(&self, reason: &'static str) -> Result<(), HistoryError> {

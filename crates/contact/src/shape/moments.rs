@@ -37,8 +37,6 @@ use super::transform::Transform;
 
 /// The knots that are summed side by side.
 const LANES: usize = 4;
-/// The smallest `u` that is divided by.
-const EDGE: f64 = 1e-8;
 
 /// What a shape, or its derivative with respect to its size, has for curvature.
 #[derive(Clone, Debug)]
@@ -164,17 +162,16 @@ fn add<S: Simd>(simd: S, sums: &mut [f64], sources: &[Source], a: f64) {
     for (lane, source) in sources.iter().enumerate() {
         let own = source.radius / a;
         let root = ((1.0 - own) * (1.0 + own)).sqrt();
-        let divisor = root.max(EDGE);
         (mu[lane], u[lane]) = (own, root);
         angle[lane] = root.atan2(own);
         of_bend[lane] = 2.0 * a * source.bend;
-        of_value[lane] = source.jump * own / divisor;
+        of_value[lane] = source.jump * own / root;
         of_angle[lane] = source.jump - source.bend * source.radius;
         if source.impulse != 0.0 {
             // `[mu P_n'(u) mu^2/u^2 - mu^3 P_n(u)/u^3]/m` with `mu^2 P_n' = n (P_(n-1) - u P_n)`.
             let impulse = source.impulse / a;
-            of_slope[lane] = impulse / (divisor * divisor);
-            of_value[lane] -= impulse * own * own / (divisor * divisor * divisor);
+            of_slope[lane] = impulse / (root * root);
+            of_value[lane] -= impulse * own * own / (root * root * root);
         }
     }
     let vector = |values: [f64; LANES]| f64x4::simd_from(simd, values);

@@ -94,9 +94,8 @@ pub(crate) fn read(
             .map_err(|error| malformed(format!("cannot be read: {error}")))?;
         let numbers = decode(bytes, deflated, left_out, size as usize)
             .map_err(|what| malformed(format!("has a chunk at {place:?} that {what}")))?;
-        if !copy(&numbers, &chunk, place, shape, &mut values) {
-            return Err(malformed(format!("has two chunks at {place:?}")));
-        }
+        // Two chunks at one place leave another without numbers.
+        copy(&numbers, &chunk, place, shape, &mut values);
     }
     Ok(values)
 }
@@ -139,8 +138,7 @@ fn decode(
 }
 
 /// Copies the numbers of the chunk at `place` that are within `shape` into `values`, row by row.
-/// Returns whether there were none before.
-fn copy(numbers: &[f64], chunk: &[u64], place: &[u64], shape: &[u64], values: &mut [f64]) -> bool {
+fn copy(numbers: &[f64], chunk: &[u64], place: &[u64], shape: &[u64], values: &mut [f64]) {
     let last = shape.len() - 1;
     let width = chunk[last].min(shape[last] - place[last]) as usize;
     for (row, numbers) in numbers.chunks_exact(chunk[last] as usize).enumerate() {
@@ -157,13 +155,8 @@ fn copy(numbers: &[f64], chunk: &[u64], place: &[u64], shape: &[u64], values: &m
         if !inside {
             continue;
         }
-        let target = &mut values[at as usize..][..width];
-        if !target[0].is_nan() {
-            return false;
-        }
-        target.copy_from_slice(&numbers[..width]);
+        values[at as usize..][..width].copy_from_slice(&numbers[..width]);
     }
-    true
 }
 
 /// The checksum of HDF5: Fletcher's of 32 bits, over big-endian words of two bytes.

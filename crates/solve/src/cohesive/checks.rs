@@ -100,7 +100,7 @@ impl Solution<'_> {
         };
         radii
             .iter()
-            .map(|&r| FRAC_2_PI * abel(a, r, c.min(r), phi))
+            .map(|&r| FRAC_2_PI * abel(a, r, c, phi))
             .collect()
     }
 }
