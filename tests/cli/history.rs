@@ -227,6 +227,13 @@ fn a_flat_end_and_times_with_units() {
     let loads = of("units.csv");
     assert_eq!(loads, of("'penetration 0:0 1:0.1um'"));
     assert!(loads[1] > 0.0);
+    // On a film 100,000 times as thick as the flat end is wide, the curve begins at its edge.
+    let thick = flat.replace("=1um", "=10nm") + " --film-thickness=1mm --points=2";
+    let wide = rows(
+        &workdir,
+        &format!("{thick} --program 'penetration 0:0 1:200um'"),
+    );
+    assert!(wide.column("contact_radius")[1] > 1e-4);
 }
 
 const RELAXING: &str = "history --sphere-radius=10um --sphere-modulus=inf --film-poisson-ratio=0.5 \
@@ -247,4 +254,8 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_told_of() {
         let is_told = run.stderr.contains("pull at the probe inside");
         assert_eq!(is_told, told, "{run:?}");
     }
+    let alone = "--film-modulus=1MPa --substrate-modulus=0.2MPa --film-thickness=10um";
+    let program = "--program 'penetration 0:0 1:1nm'";
+    let run = workdir.answer(format!("{RELAXING} {alone} {program}"));
+    assert!(!run.stderr.contains("pull at the probe"), "{run:?}");
 }

@@ -395,3 +395,24 @@ fn a_load_that_falls() {
     let apart = states(relaxing, Control::Load, &pulled, &[2.5], 1e-5)[0].state;
     assert_eq!((apart.load, apart.contact_radius), (0.0, 0.0));
 }
+
+#[test]
+fn a_contact_is_separated_where_it_has_no_radius_and_rests_where_it_is_held() {
+    let contact = half_space(PARABOLOID);
+    let law = power_law(0.2);
+    let program = [(0.0, -1e-3), (1.0, 1e-3), (2.0, 1e-3), (3.0, -1e-3)];
+    let times: Vec<f64> = (0..=12).map(|i| 0.25 * f64::from(i)).collect();
+    let course = states(
+        (&contact, &law),
+        Control::Displacement,
+        &program,
+        &times,
+        1e-6,
+    );
+    for at in course {
+        let is_apart = at.state.contact_radius == 0.0;
+        assert_eq!(at.phase == Phase::Separated, is_apart, "{at:?}");
+        let is_held = at.time > 1.0 && at.time <= 2.0;
+        assert_eq!(at.phase == Phase::Resting, is_held, "{at:?}");
+    }
+}

@@ -30,4 +30,18 @@ fn complex_stiffness() {
             "{storage} {loss}"
         );
     }
+    // Slow oscillations of a modified power law: Gamma(1-n) (i omega)^n - i omega/(1-n).
+    let of = |law| {
+        contact
+            .complex_stiffness(0.1, &law, 1e-16)
+            .expect("a stiffness")
+    };
+    let [storage, loss] = of(modified_power_law(0.0, 0.9, 1.0));
+    let exact = of(power_law(0.9));
+    assert!(
+        (storage / exact[0] - 1.0).abs() < 1e-9,
+        "{storage} {exact:?}"
+    );
+    let exact = exact[1] - stiffness * 1e-15;
+    assert!((loss / exact - 1.0).abs() < 1e-9, "{loss} {exact}");
 }

@@ -267,8 +267,9 @@ mod tests {
     #[test]
     fn sums_hold_their_tolerance() {
         for law in laws() {
-            for tolerance in [1e-5, 1e-8, 1e-12] {
-                let sum = Exponentials::new(&law, [1e-4, 10.0], tolerance);
+            for (shortest, tolerance) in [(1e-4, 1e-5), (1e-4, 1e-8), (1e-4, 1e-12), (1e-12, 1e-5)]
+            {
+                let sum = Exponentials::new(&law, [shortest, 10.0], tolerance);
                 println!(
                     "{law:?} {tolerance:e}: {} terms, {:.1e}",
                     sum.len(),
@@ -321,10 +322,10 @@ mod tests {
                 assert!(error.abs() < 1e-9, "{exponent} {t}: {error:.1e}");
             }
         }
-        // The standard linear solid: J = 1/inf - (1/inf - 1) exp(-inf t/tau).
+        // The standard linear solid, of two equal times: J = 1/inf - (1/inf - 1) exp(-inf t/tau).
         let law = Relaxation::Prony {
             relaxed: 0.3,
-            terms: vec![[0.7, 0.6]],
+            terms: vec![[0.4, 0.6], [0.3, 0.6]],
         };
         for t in [0.0, 0.1, 2.0, 50.0] {
             let exact = 1.0 / 0.3 - (1.0 / 0.3 - 1.0) * (-0.3_f64 * t / 0.6).exp();
@@ -354,6 +355,11 @@ mod tests {
         for (t, exact) in cases {
             let own = law.modulus(t).expect("a time");
             assert!((own / exact - 1.0).abs() < 1e-11, "{t}: {own} {exact}");
+            // J = 1 + (t/tau)^n/Gamma(1 + n)
+            let creep = law.creep(t).expect("a time")
+                / (1.0 + 2.0 * (t / std::f64::consts::PI).sqrt())
+                - 1.0;
+            assert!(creep.abs() < 1e-11, "{t}: {creep:e}");
         }
     }
 
