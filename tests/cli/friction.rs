@@ -55,6 +55,14 @@ fn solve_prints_the_numbers_of_stick() {
     let columns = "eeq_s,gamma_s,gamma_t,gamma_eff,delta_s,pi_s,gamma_g,eeq_g,error_s";
     assert!(lines[0].ends_with(columns), "{text}");
     assert_eq!(lines[2].matches(",,").count(), 3, "{text}");
+    // Errors above 1e-10 are taken up to 1e-6, unless a tolerance is given.
+    let soft = "solve --a-over-t 200 --nu1 0 --e0-over-e2 1e-15 --friction stick --e1-over-e2";
+    let error = value(&workdir.run(format!("{soft} 1e6")).stdout, "error_s");
+    assert!((2e-10..1e-6).contains(&error), "{error}");
+    workdir.refuses(format!(
+        "1 | {soft} 1e7 | 1.0e-10; not reached
+         1 | {soft} 1e6 --tolerance 1e-10 | 1.0e-10; not reached"
+    ));
     // Without the flag nothing is added.
     let text = workdir.succeed(format!("solve --a-over-t 1 {CONFINED}"));
     assert!(!text.contains("eeq_s"), "{text}");

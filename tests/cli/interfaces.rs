@@ -187,6 +187,7 @@ fn wrong_first_calls_say_what_to_do() {
         2 | curve {FILM} --interface-stiffness sliding | sliding; is not a number
         2 | curve {FILM} --interface-stiffness 2GPa | 2GPa; is a modulus; a stiffness per area; Pa/m
         2 | curve {FILM} --interface-stiffness 1,2,3 | more than two; KT,KN
+        1 | solve --a-over-t 1 --e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf --interface-stiffness 1,1e-13 | the film; 1e-13 E1/t
         1 | curve {FILM} --interface-stiffness -1 | the film; tangential; -1.0 Pa/m; 0
         2 | curve {FILM} --interface sliding --interface-stiffness 1 | --interface; --interface-stiffness
         1 | curve {FILM} --interface sliding --probe cone --half-angle 70 | --probe; not one bonded film; not under a cone; flat-punch

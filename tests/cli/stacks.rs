@@ -101,6 +101,11 @@ fn what_describes_one_film_does_not_go_with_a_stack() {
         2 | fit data.csv --stack stack.toml --free primer.poisson | primer.poisson
         ",
     );
+    let sphere = "--sphere-radius 100um --sphere-modulus inf --work-of-adhesion 0";
+    let run = workdir.answer(format!(
+        "curve --stack stack.toml {sphere} --from 1e-5 --to 2e-5 --points 2"
+    ));
+    assert_names(&run.stderr, "would compress the layers by");
 }
 
 /// A lens on the stack, and the data that it gives.

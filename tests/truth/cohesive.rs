@@ -290,6 +290,12 @@ fn values_outside_the_domain_are_named() {
     ] {
         Cohesive::on_stack(&film, radius, MODULUS, w, range).refused(name);
     }
+    let outer = cohesive.state(0.01 * radius).expect("solved").outer_radius;
+    cohesive
+        .gap(0.01 * radius, &[2.001 * outer])
+        .refused("radius");
+    let strong = Cohesive::on_stack(&film, radius, MODULUS, 1e300, 1e-9).expect("positive");
+    strong.without_contact(1e-3 * radius).refused("overflows");
 }
 
 /// The attraction before the contact is solved up to the reach; its cost grows with the radius.

@@ -225,6 +225,9 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     assert!(short.state(4.01e-6).is_ok());
     let long = short.state(3.99e-6);
     long.refused("contact radius, 3.99; direct solve");
+    let long = with(stress(MODULUS, WORK, 2.4e-5)).expect("a short zone");
+    let stable = long.equilibria(Control::Load, 0.0);
+    stable.refused("contact radius; direct solve");
     let (_, stack, radius, sphere_modulus, w) = systems()[2].clone();
     let contact = contact_of(&stack, radius * THICKNESS, sphere_modulus * MODULUS);
     let modulus = contact.mechanics().sphere_film_modulus();

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, material, relative_error, solved};
+use acceptance::{Refused, larger, layer, material, relative_error, solid, solved, stack};
 use interp::{Material, Quantities};
-use solve::{A_OVER_T, Error, TOLERANCE, solve};
+use solve::{A_OVER_T, Error, TOLERANCE, solve, solve_stack};
 
 /// The smallest positive double.
 const DENORMAL: f64 = 5e-324;
@@ -150,6 +150,11 @@ fn ratios_of_moduli_that_overflow_are_refused_by_name_value_and_range() {
         let error = solve(1.0, &material(parameters), 1e-8).expect_err("overflow");
         assert_eq!(error.to_string(), message);
     }
+    let soft = stack(
+        solid(f64::INFINITY, 0.3),
+        &[layer(1e-290, 0.3, 1.0), layer(2e-290, 0.3, 1.0)],
+    );
+    solve_stack(1.0, &soft, 1e25, 1e-8).refused("E1*/E2*; outside the domain");
 }
 
 /// A plate on a soft base, small contacts: the compliance of the plate as a whole adds to that of

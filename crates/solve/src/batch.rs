@@ -217,9 +217,10 @@ mod tests {
             let e0 = 10_f64.powi(digits);
             materials.push(Material::new(1.0, 0.3, e0, 0.2).expect("physical"));
         }
+        materials.push(Material::new(1.0, 0.3, 1.0 + 1e-7, 0.2).expect("physical"));
         let alone = |x| move |material: &Material| Ok(solve(x, material, TOLERANCE)?.quantities);
         let batch = Batch::new(materials);
-        assert_eq!(batch.groups.len(), 4 * 4 + 23);
+        assert_eq!(batch.groups.len(), 4 * 4 + 24);
         let mut worst = 0.0;
         for x in [1e-3, 1.0, 30.0] {
             let solved = batch

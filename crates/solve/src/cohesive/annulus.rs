@@ -239,6 +239,17 @@ mod tests {
     use super::*;
     use crate::galerkin::bessel::EvenBessel;
 
+    /// Narrow annuli: `t^3/3 - t^5/15` and `2 t^3/3 - 4 t^5/15`.
+    #[test]
+    fn narrow_annuli_keep_their_digits() {
+        for t in [1e-8, 1e-5, 1e-3_f64] {
+            let (annulus, cube, fifth) = (Annulus::new(1.0, t), t.powi(3), t.powi(5));
+            let area = annulus.area() / (cube / 3.0 - fifth / 15.0) - 1.0;
+            let opening = annulus.opening_of_paraboloid() / (2.0 * cube / 3.0 - 4.0 * fifth / 15.0);
+            assert!(area.abs() < 1e-11 && (opening - 1.0).abs() < 1e-11, "{t}");
+        }
+    }
+
     /// Both forms of the transforms at the ratio where one takes over from the other.
     #[test]
     fn both_forms_of_the_transforms_agree() {

@@ -151,6 +151,9 @@ mod tests {
             assert!((value - 1.0).abs() < 1e-14, "{value}");
             assert!(calls < most, "{calls}");
         }
+        let flat = [0.0, 1.0, 2.0].map(|x| (x, 1.0));
+        let (x, _) = minimum(&mut |_| Ok(1.0), flat).expect("no failure");
+        assert!((0.0..=2.0).contains(&x), "{x}");
     }
 
     #[test]
