@@ -11,6 +11,7 @@ fn a_person_who_means_it_can_go_on() {
         &*format!("{fit} --film-thickness 30um --sphere-radius 2"),
         "curve embedded --specimen paper --sphere-radius 2 --points 3",
         "pull-off embedded --specimen paper --film-modulus 3e12",
+        "pull-off embedded --specimen paper --substrate-modulus 3e12",
         "simulate --specimen paper --kind load-radius --from 1mm --to 2mm --noise 0 --sphere-radius 0.5 --film-thickness 1mm",
         "curve --specimen paper --points 2 --friction stick --work-of-adhesion-receding 40",
         "history --half-space --sphere-modulus inf --relaxation prony --relaxed-fraction 0.3 --relaxation-time 1 \

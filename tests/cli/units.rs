@@ -77,6 +77,7 @@ fn a_negative_value_is_refused_with_the_reason() {
         "
         1 | curve --sphere-radius -1e-3 | sphere_radius = -0.001; above 0
         1 | curve --film-thickness -30um | film_thickness = -3e-5; above 0
+        1 | curve --sphere-radius 0 | sphere_radius = 0.0; a radius or a thickness is above 0
         1 | curve --sphere-modulus -2e6 | sphere_modulus = -2000000.0; a modulus is above 0
         1 | curve --film-modulus -3.5MPa | film_modulus = -3500000.0; a modulus is above 0
         1 | curve --substrate-modulus -1e-3 | substrate_modulus = -0.001; a modulus is above 0

@@ -82,14 +82,11 @@ fn on_a_homogeneous_body_shapes_are_those_of_the_closed_forms() {
 fn derivatives_are_differences() {
     const STEP: f64 = 1e-3;
     let table = Table::embedded();
-    for probe in shapes() {
-        let own = system_of(
-            probe.clone(),
-            2e6,
-            solid(3.5e6, 0.4),
-            1e-5,
-            solid(2e8, 0.25),
-        );
+    let stiff_below = (solid(3.5e6, 0.4), solid(2e8, 0.25));
+    let soft_below = (solid(2e7, 0.4), solid(1e6, 0.25));
+    let pairs = |probe: Probe| [stiff_below, soft_below].map(|bodies| (probe.clone(), bodies));
+    for (probe, (film, substrate)) in shapes().into_iter().flat_map(pairs) {
+        let own = system_of(probe.clone(), 2e6, film, 1e-5, substrate);
         let contact = Contact::in_table_with_gradient(table, &own).expect("in the table");
         let a = 1.2e-5;
         let gradient = contact.gradient(a, W).expect("in range");
@@ -365,4 +362,8 @@ fn a_wide_flat_end_names_its_largest_contact() {
     assert!(wide.load(6e-6, 0.0).is_ok());
     let beyond = wide.load(1e-5, 0.0);
     beyond.refused("below the largest one for which the shape is known or computed");
+    // A flat end that is wider than all of them.
+    let probe = flat_ended_cone(8e-6, HALF_ANGLE);
+    let wide = rigid_probe(probe, solid(1e6, 0.3), 1e-8, solid(1e9, 0.3));
+    Contact::in_table(Table::embedded(), &wide).refused("a_over_t; 800");
 }

@@ -4,7 +4,7 @@
 use acceptance::{assert_matches, layer, paper_system, solid, solved_contact, stack};
 use contact::{Contact, Error};
 use interp::Quantity;
-use solve::stack::Stack;
+use solve::stack::{Interface, Layer, Stack};
 use solve::stack_curve;
 
 const RADIUS: f64 = 1e-3;
@@ -60,6 +60,29 @@ fn beyond_its_ends_and_for_derivatives_of_one_film_the_curve_of_a_stack_is_an_er
     }
     let error = contact.gradient(5e-5, W).expect_err("none");
     assert_matches!(error, Error::Table(interp::Error::NoGradient));
+}
+
+/// Springs below a film take part of the penetration from it, in any unit of length.
+#[test]
+fn the_strain_beside_springs_does_not_depend_on_the_unit_of_length() {
+    let strain = |unit: f64, stiffness: f64| {
+        let film = Layer {
+            interface: Interface::Springs {
+                tangential: stiffness / unit,
+                normal: stiffness / unit,
+            },
+            ..layer(1e6, 0.4, 1e-4 * unit)
+        };
+        let stack = stack(solid(f64::INFINITY, 0.25), &[film]);
+        let curve = stack_curve(&stack, SPHERE, [0.1, 2.0], 1e-8).expect("within reach");
+        let system = stack.system(RADIUS * unit, SPHERE);
+        let contact = Contact::new(&system, curve).expect("the curve of this stack");
+        let validity = contact.validity(1e-4 * unit).expect("in range");
+        validity.film.expect("layers").strain
+    };
+    let [in_metres, in_millimetres] = [1.0, 1e3].map(|unit| strain(unit, 1e10));
+    assert!((in_millimetres / in_metres - 1.0).abs() < 1e-12);
+    assert!((0.1..0.9).contains(&(in_metres / strain(1.0, 1e15))));
 }
 
 /// Springs in series over squeeze flow, integrated numerically; and the formula for one film.

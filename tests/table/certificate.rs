@@ -2,7 +2,7 @@
 
 use acceptance::{forged, larger, table};
 use interp::{Parameter, Quantity, Table};
-use tabulate::table::{Sample, certificate, measure, sample};
+use tabulate::table::{Sample, certificate, errors_by_quantity, measure, sample};
 
 /// Two axes, `a/t` among them, and all quantities.
 const TWO_AXES: &str = "
@@ -52,6 +52,8 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
     let worst = (found.worst_quantity, found.worst_point);
     assert_eq!(worst, (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0]));
     assert_eq!(found.identity_errors, [Some(1499.0), None, None, Some(1.0)]);
+    let of_gamma = (Quantity::Gamma, [1999.0, 1000.0].map(|part| 1e-9 * part));
+    assert_eq!(errors_by_quantity(&samples), [of_gamma]);
 
     // Among a few samples, the 99.9 % error is the largest. NaN is larger than all others.
     let mut few = samples[..10].to_vec();

@@ -200,6 +200,14 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
     assert_matches!(error, contact::Error::OtherMaterial { .. });
     let words = "made for e1_over_e2 = 1.75, nu1 = 0.5; system has e1_over_e2 = 1.75, nu1 = 0.4";
     assert_names(&error.to_string(), words);
+    let alike = System {
+        film: solid(3.5e6 * 0.84 / 0.75, 0.4),
+        ..system
+    };
+    assert_matches!(
+        Contact::new(&alike, curve_of(&own)),
+        Err(contact::Error::OtherMaterial { .. })
+    );
 }
 
 #[test]

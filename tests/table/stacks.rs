@@ -201,7 +201,7 @@ fn a_scene_that_is_not_that_of_the_axes_is_refused() {
     }
 }
 
-/// A stack has one top layer and one base.
+/// A stack has one top layer and one base, and a rigid sphere its own table.
 #[test]
 fn axes_of_several_stacks_are_refused() {
     let dense = table(&scene());
@@ -210,6 +210,7 @@ fn axes_of_several_stacks_are_refused() {
         (Parameter::E0OverE1, vec![1.0, 2.0], "one number"),
         (Parameter::E0OverE1, vec![-1.0], "one number"),
         (Parameter::E0OverE1, vec![], "empty"),
+        (Parameter::E1OverE2, vec![0.0, 1.0], "0 as the only node"),
     ] {
         let mut axes = dense.axes();
         axes[parameter.dimension()].1 = nodes;

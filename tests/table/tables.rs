@@ -295,6 +295,7 @@ fn values_are_those_of_their_coordinates() {
     ];
     for (parameter, end) in ends {
         assert_eq!(parameter.coordinate(0.0), f64::ln(end));
+        assert_eq!(parameter.value(f64::ln(end).next_down()), 0.0);
     }
     let moduli = [0.0, 1e-13, 1e-11, 1e-10, 1e-3, 1.0, 1e3, 1e11];
     let ratios = [-0.5, 0.0, 0.3, 0.499_999, 0.5];

@@ -146,10 +146,7 @@ fn change(found: f64, given: f64) -> f64 {
 #[test]
 fn an_equivalent_has_the_same_moduli_and_the_round_trip_gives_the_material_back() {
     let mut worst = 0.0;
-    // At nu1 = 0.5 exactly, rounding may carry the way back past 0.5.
-    for (_, material, equivalent) in
-        equivalents(31, 1000).filter(|(_, material, _)| material.nu1() < 0.5)
-    {
+    for (_, material, equivalent) in equivalents(31, 1000) {
         let again = |of: &Material| {
             let again = of.with_substrate_poisson_ratio(material.nu0());
             again.expect("the way back exists")

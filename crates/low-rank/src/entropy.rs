@@ -386,5 +386,7 @@ mod tests {
         let bytes = encode(shapes, &zeros);
         assert_eq!(bytes.len(), 6003_usize.div_ceil(MOST_IN_A_BYTE));
         assert_eq!(decode(shapes, &bytes).expect("as written"), zeros);
+        let last = [&bytes[..bytes.len() - 1], &[1]].concat();
+        assert!(matches!(decode(shapes, &last), Err(Malformed(_))));
     }
 }

@@ -300,6 +300,7 @@ mod tests {
             ("min", Dimension::Time, 60.0),
             ("h", Dimension::Time, 3600.0),
             ("g", Dimension::Force, 9.80665e-3),
+            ("mg", Dimension::Force, 9.80665e-6),
             ("kgf", Dimension::Force, 9.80665),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),

@@ -2,10 +2,10 @@
 
 use acceptance::{
     Refused, assert_matches, assert_near, derivatives, half_space_of, larger, paper_system,
-    shipped, solid,
+    shipped, solid, table,
 };
 use contact::{Contact, Error, Input};
-use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
+use interp::{HalfSpace, Material, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
 use super::{SHARES, value, with};
@@ -34,7 +34,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
         sphere_modulus: f64::INFINITY,
         ..soft.clone()
     };
-    let rigid_sphere_table = acceptance::table(
+    let rigid_sphere_table = table(
         "title = 'Rigid sphere'\ntolerance = 1e-6\na_over_t = { from = 0.5, to = 10 }\ne1_over_e2 = 0
         nu1 = { from = 0.3, to = 0.5 }\ne0_over_e2 = { from = 5, to = 50 }\nnu0 = 0.3\nquantities = ['pi0', 'eeq', 'gamma', 'delta0']",
     );
@@ -130,6 +130,15 @@ fn what_is_not_known_is_an_error_that_names_it() {
         let error = gradient.by(parameter).expect_err("fixed");
         assert!(matches!(error, interp::Error::FixedParameter(name) if name == parameter.name()));
     }
+    // A Poisson ratio of 0 is fixed like any other.
+    let without = table(
+        "title = 'x'\ntolerance = 1e-1\na_over_t = { from = 0.1, to = 10, nodes = 9 }\n\
+         e1_over_e2 = { from = 0.3, to = 3, nodes = 5 }\nnu1 = 0\ne0_over_e2 = inf\n",
+    );
+    let material = Material::new(1.0, 0.0, f64::INFINITY, 0.25).expect("physical");
+    let gradient = without.curve_with_gradient(&material).expect("inside");
+    let by = gradient.gradient(1.0).expect("inside").by(fixed[0]);
+    assert_matches!(by, Err(interp::Error::FixedParameter(_)));
     for x in [1e4, f64::NAN] {
         let error = curve.gradient(x).expect_err("outside");
         let axis = Parameter::AOverT.name();
