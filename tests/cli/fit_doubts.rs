@@ -111,11 +111,15 @@ fn values_of_several_files_err_in_proportion() {
     let fit = "fit data.csv data.csv --specimen paper --allow left-out --value film-thickness=30um,40um --known";
     let report = workdir.succeed(format!("{fit} film-thickness=+-5%"));
     assert_names(&report, "hold those of film-thickness +- 5 %: ");
+    let zeros = "load-offset=+-1uN --value load-offset=0,1e-6 --known film-poisson-ratio=+-0.02";
+    let report = workdir.succeed(format!("{fit} {zeros} --value film-poisson-ratio=0.4,0.45"));
+    let words = "hold those of load-offset +- 1 uN: ; hold those of film-poisson-ratio +- 0.02: ";
+    assert_names(&report, words);
     workdir.refuses(format!(
         "
         1 | {fit} film-thickness=+-1um | different values; film-thickness=+-3%
-        1 | {fit} load-offset=+-1uN --value load-offset=0,1e-6 | load-offset; different values
-        1 | {fit} load-offset=+-3% --value load-offset=1e-6,2e-6 | known load-offset; one for all; in proportion
+        1 | {fit} load-offset=+-3% --value load-offset=1e-6,2e-6 | load-offset; per cent; in N
+        1 | {fit} film-poisson-ratio=+-3% | film-poisson-ratio; per cent; such as +-0.02
         "
     ));
 }

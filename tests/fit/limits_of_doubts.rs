@@ -5,8 +5,8 @@ use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_silent, assert_warned, assert_warns, film, fit_all, fitted,
-    free_of, measurement_at, number_after, text,
+    Course, FORCE_CURVE, Imagined, LENS, assert_silent, assert_warned, assert_warns, film, fit_all,
+    fitted, free_of, measurement_at, number_after, text,
 };
 
 /// What a force curve without adhesion tells.
@@ -24,6 +24,26 @@ fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
         probe.noise = 1e-13;
         let said = text(&probe.fit(1), WarningKind::Implausible);
         assert_eq!(said.contains("is outside 1e-6 to"), is_doubted, "{said}");
+    }
+}
+
+/// What a film of another thickness does to the force looks like adhesion, but pulls nothing.
+#[test]
+fn adhesion_is_doubted_where_no_point_shows_its_pull() {
+    for (work, thinner, is_doubted) in [(0.0, 0.3, true), (1e-4, 1.0, false), (1e-4, 0.7, false)] {
+        for course in [Course::Approach, Course::Cycle] {
+            let mut probe = Imagined::probe(course, work, &FORCE_CURVE);
+            probe.points = [400, 400];
+            let mut measured = probe.measured(&probe.exact(), 1);
+            film(&mut measured).thickness *= thinner;
+            let found = fitted(&measured, &probe.free);
+            assert_eq!(
+                found.warns_of(WarningKind::PullNotSeen),
+                is_doubted,
+                "{:?}",
+                found.warnings
+            );
+        }
     }
 }
 

@@ -265,4 +265,26 @@ fn a_reference_has_the_poisson_ratio_of_the_substrate() {
     let given = "--reference-modulus 170GPa --reference-poisson-ratio 0.28";
     assert_eq!(found(""), found(given));
     assert_ne!(found(""), found("--reference-poisson-ratio 0.4"));
+    // What is known of the substrate is not known of a reference of another material.
+    let other = "--reference-modulus 150GPa";
+    let estimate =
+        |more: &str, what: &str| number(&found(more), &format!("parameters/film_modulus/{what}"));
+    let [plain, known, both] = [
+        other.to_owned(),
+        format!("{other} --known substrate-modulus=170GPa+-5GPa"),
+        format!("{other} --known substrate-modulus=+-3% --known reference-modulus=+-4GPa"),
+    ];
+    for more in [&known, &both] {
+        assert_eq!(estimate(more, "value"), estimate(&plain, "value"));
+        assert!(estimate(more, "stderr") > 1.5 * estimate(&plain, "stderr"));
+    }
+    let rows = found(&plain)["fixed_values"].to_string();
+    assert_names(&rows, "\"reference_modulus\"; 150000000000");
+    let fit = with("fit film.csv", depth) + " --free film-modulus,tip-rounding";
+    workdir.refuses(format!(
+        "
+        1 | {fit} --known reference-modulus=72GPa+-1GPa | reference-modulus; check its name
+        1 | {fit} --reference bare.csv {other} --known reference-modulus=72GPa+-1GPa | two values
+        "
+    ));
 }

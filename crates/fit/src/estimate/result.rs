@@ -353,6 +353,8 @@ named! {
         OffsetHinted = "offset-hinted",
         /// No point is off contact, and the work of adhesion depends on the zero of the load.
         ZeroNotSeen = "zero-not-seen",
+        /// A work of adhesion is found, and no point shows the pull that it would have.
+        PullNotSeen = "pull-not-seen",
         /// Approach and retract do not have one work of adhesion.
         MixedBranches = "mixed-branches",
         /// Contact radii that stay while the load changes.

@@ -43,7 +43,8 @@ pub struct ProbeArguments {
     #[arg(long, value_enum, default_value = "paraboloid")]
     pub probe: Shape,
     /// Angle between the axis and the flank of a cone, in DEGREES, or with a unit (1.2rad), below 90.
-    /// Up to 1.57 it was probably meant in radians, and is refused
+    /// Up to 1.57 it was probably meant in radians, and is refused. A four-sided pyramid whose faces make the angle A
+    /// with the axis has the load of the cone with tan(angle) = 1.171 tan A
     #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub half_angle: Option<f64>,
     /// Exponent n of the power law c r^n, from 1 to 20

@@ -18,7 +18,7 @@ pub(crate) const COARSE: f64 = 1e-4;
 const FINE: f64 = 1e-8;
 /// Points count from this number of standard errors of the end of their branch on. Nearer to it a
 /// force is no linear function of the parameters.
-const CLEAR: f64 = 4.0;
+pub(crate) const CLEAR: f64 = 4.0;
 /// The most of the points in contact that are left out for being near the end of their branch. Each
 /// point left out makes the end less certain, which would leave out more, until none is left.
 const MOST_NEAR: f64 = 0.1;

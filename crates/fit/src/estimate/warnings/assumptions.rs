@@ -2,7 +2,7 @@
 //! strains, friction and attraction over a range.
 
 use contact::{Contact, Validity, ZoneSize};
-use interp::Table;
+use interp::{Probe, Table};
 
 use super::friction;
 use crate::estimate::problem::Problem;
@@ -102,9 +102,16 @@ fn doubts(
     }
     let slope = experiment.bodies.probe.slope(a);
     if !paraboloid && slope > Validity::WARNING_SLOPE {
+        let end = match experiment.bodies.probe {
+            Probe::RoundedCone { .. } => {
+                ". The end of a rounded cone is a paraboloid, and wider than a sphere of its radius: fit a tip with a \
+                 spherical end as a measured profile"
+            }
+            _ => "",
+        };
         warnings.push(WarningKind::LargeContact.with(format!(
             "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
-             {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
+             {:.0} degrees; the model takes slopes to be small. Half angles count from the axis{end}",
             slope.recip().atan().to_degrees()
         )));
     }

@@ -16,6 +16,7 @@ pub(super) mod shared_noise;
 pub(super) mod table_error;
 pub(super) mod twice;
 pub(super) mod unequal_noise;
+mod unseen_pull;
 pub(super) mod unseen_zero;
 pub(super) mod wanted;
 mod warnings;

@@ -48,7 +48,7 @@ pub(crate) fn add(
         warnings.push(WarningKind::AdhesionWanted.with(format!(
             "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
              be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
-             the probe and the zeros of the instrument that are fixed",
+             the probe, the zeros of the instrument that are fixed, and whether the film slides or relaxes",
             gain.chi_squared
         )));
     }

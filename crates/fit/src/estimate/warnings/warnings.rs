@@ -89,6 +89,9 @@ pub(crate) fn warnings(
         warnings.extend(cycle::doubts(problem, e).into_iter().flatten());
         warnings.extend(super::pinned::doubt(&problem.assigned[e]));
         relaxing::add(&mut warnings, fit, problem, e);
+        if let Some(uncertainty) = &found.uncertainty {
+            warnings.extend(super::unseen_pull::doubt(problem, e, uncertainty, &data[e]));
+        }
     }
     if fit.converged {
         indentation::add(&mut warnings, fit, problem);
