@@ -13,6 +13,12 @@ use crate::imagined::{
 };
 
 const RADIUS: f64 = 10e-6;
+/// What a cycle without adhesion tells.
+const HERTZ: [Parameter; 3] = [
+    Parameter::FilmModulus,
+    Parameter::ContactPoint,
+    Parameter::LoadOffset,
+];
 
 fn fitted(experiment: &Experiment, free: &[Parameter]) -> Fit {
     fit_with(experiment, &free_of(free), |_| ()).expect("sound")
@@ -247,6 +253,23 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
         let experiment = pressed(elastic, elastic, [5e-7, 1e-3 * elastic(5e-7)], seed);
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
         assert!(doubts(&found, &[]).is_empty(), "{:?}", found.warnings);
+    }
+}
+
+/// Drag of a liquid lifts the approach and lowers the retract, by more than the load off contact.
+#[test]
+fn drag_is_named_and_leaves_no_depth() {
+    let modulus = 1e4 / 0.75;
+    let most = hertz(modulus, 5e-7);
+    for drag in [0.02, 0.2] {
+        let [loading, unloading] =
+            [1.0, -1.0].map(|sign| move |x: f64| hertz(modulus, x) + sign * drag * most);
+        let experiment = pressed(loading, unloading, [5e-7, 1e-3 * most], 1);
+        let found = fitted(&experiment, &HERTZ);
+        let said = text(&found, WarningKind::Hysteresis);
+        let apart = number_after(&said, "the baselines of the two ways are ");
+        assert!((apart / (2.0 * drag * most) - 1.0).abs() < 0.05, "{said}");
+        assert_silent(&found, WarningKind::Plasticity);
     }
 }
 

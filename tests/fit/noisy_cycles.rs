@@ -219,7 +219,7 @@ fn baselines_of_two_ways_that_differ_are_told() {
         (
             &hysteresis[..],
             WarningKind::Hysteresis,
-            "or plastic); fit one direction alone",
+            "the baselines of the two ways are; drag; fit one direction alone",
         ),
     ] {
         let found = fit_with(&data, &free_of(free), |_| {}).expect("a fit");

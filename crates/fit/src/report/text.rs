@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use interp::Probe;
+use interp::{Elastic, Probe};
 
 use super::agreement::agreement;
 use super::name::{NAME, name};
@@ -175,9 +175,12 @@ fn column(source: &Source) -> String {
 
 /// Lists the values that are not fitted: one, or that of each file if they differ.
 fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>, String)> {
-    let beside_layers = experiments.iter().any(|one| !one.bodies.are_bare());
-    let of = |experiment| fixed(fit, experiment, beside_layers);
+    let mut coated = experiments.iter().filter(|one| !one.bodies.are_bare());
+    let substrate = coated.find_map(|one| one.bodies.base());
+    let of = |experiment| fixed(fit, experiment, substrate);
     let all: Vec<Vec<(Cow<'static, str>, String)>> = experiments.iter().map(of).collect();
+    // A sample without a film has a modulus without a symbol.
+    let value = |text: &str| text.trim_end_matches(" E0").to_owned();
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     for (name, _) in all.iter().flatten() {
         if rows.iter().any(|row| row.0 == *name) {
@@ -192,7 +195,7 @@ fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>
                 own.map(|row| &*row.1).or(is_zero.then_some("0"))
             })
             .collect();
-        let differ = texts.iter().any(|text| *text != texts[0]);
+        let differ = texts.iter().any(|text| value(text) != value(texts[0]));
         rows.push((
             name.clone(),
             texts[..if differ { texts.len() } else { 1 }].join(", "),
@@ -223,11 +226,11 @@ fn shape(probe: &Probe) -> String {
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out. A bare sample is a reference
-/// `beside_layers`.
+/// beside a `substrate` of another material.
 fn fixed(
     fit: &Fit,
     experiment: &Experiment,
-    beside_layers: bool,
+    substrate: Option<Elastic>,
 ) -> Vec<(Cow<'static, str>, String)> {
     let text = |value: f64, si: &str| {
         let (unit, size) = scaled(si, value);
@@ -247,12 +250,12 @@ fn fixed(
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
     let has_hardness = fit.estimate(Parameter::Hardness).is_some();
     let has_shape = experiment.has_shape(has_hardness);
+    let bodies = &experiment.bodies;
+    let is_reference = bodies.are_bare() && substrate.is_some_and(|other| other != bodies.base);
     let is_listed = |one: Fixed, value: f64| match one {
         Fixed::SphereRadius => has_shape,
-        Fixed::ReferenceModulus | Fixed::ReferencePoissonRatio => beside_layers,
-        Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio => {
-            !(beside_layers && experiment.bodies.are_bare())
-        }
+        Fixed::ReferenceModulus | Fixed::ReferencePoissonRatio => is_reference,
+        Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio => !is_reference,
         Fixed::Parameter(parameter) => {
             fit.estimate(parameter).is_none()
                 && (value != 0.0 || parameter.is_positive())

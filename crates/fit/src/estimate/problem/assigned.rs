@@ -99,23 +99,32 @@ impl Assigned {
         points.iter().enumerate().map(unloads).collect()
     }
 
-    /// Returns by how much the baselines of approach and retract differ, N, if they do by more than the noise.
-    pub fn baselines_apart(&self) -> Option<f64> {
+    /// Returns the levels of the points off contact on approach and on retract above the baseline, N, if they differ by more
+    /// than the noise: drag or drift.
+    pub fn baselines_apart(&self) -> Option<[f64; 2]> {
         /// The distance over the noise of a reading from which on they differ, and the fewest points of each.
         const APART: f64 = 2.0;
         const FEWEST: usize = 5;
         let unloading = self.unloading();
+        // Without adhesion points off contact are on the branch of the contact.
+        let is_off = |i: usize, point: &Point| match self.branches[i] {
+            Branch::Baseline => true,
+            branch => {
+                let is_contact = branch.is_contact() && self.experiment.work_of(branch) == 0.0;
+                is_contact && self.experiment.imposed(point.abscissa) < 0.0
+            }
+        };
         let level = |way: bool| {
             let points = self.experiment.measurement.points.iter().enumerate();
-            let of_way = points
-                .filter(|&(i, _)| self.branches[i] == Branch::Baseline && unloading[i] == way);
+            let of_way = points.filter(|&(i, point)| unloading[i] == way && is_off(i, point));
             let readings = of_way
                 .map(|(_, point)| point.ordinate - self.experiment.baseline_at(point.abscissa));
             let readings: Vec<f64> = readings.collect();
             (readings.len() >= FEWEST).then(|| median(readings))
         };
-        let apart = (level(true)? - level(false)?).abs();
-        (apart > APART * self.seen_noise()).then_some(apart)
+        let levels = [level(false)?, level(true)?];
+        let apart = (levels[0] - levels[1]).abs();
+        (apart > APART * self.seen_noise()).then_some(levels)
     }
 
     /// Returns the number of points that count.

@@ -84,10 +84,17 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     }
     let has_directions = experiment.measurement.points[0].direction.is_some();
     let is_free = experiment.get(Parameter::WorkOfAdhesionReceding).is_some();
-    let step = match (
-        has_directions,
-        is_free || assigned.baselines_apart().is_some(),
-    ) {
+    let levels = assigned.baselines_apart();
+    let cause = levels.map_or_else(
+        || "hysteresis: viscous, of the adhesion, or plastic".to_owned(),
+        |[one, other]| {
+            format!(
+                "the baselines of the two ways are {:.2e} N apart, as drag of the liquid or drift makes them",
+                (one - other).abs()
+            )
+        },
+    );
+    let step = match (has_directions, is_free || levels.is_some()) {
         (_, true) => "",
         (true, false) => {
             "free the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the reason, or "
@@ -99,7 +106,7 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     };
     let mut doubts = vec![WarningKind::Hysteresis.with(format!(
         "{name}: between loading and unloading lies a loop that the fitted model does not \
-         make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {step}fit one direction alone{}",
+         make, of {size} ({cause}); {step}fit one direction alone{}",
         if experiment.times.is_empty() {
             ""
         } else {
@@ -147,14 +154,16 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
             experiment.predict_with(&problem.contact_of(), &branches, &assigned.order, &[]);
         predicted.ok()?.values
     };
-    let sample = |i: usize| {
+    // Drag of a liquid lifts one way and lowers the other: each has a baseline of its own.
+    let levels = assigned.baselines_apart().unwrap_or_default();
+    let sample = |i: usize, level: f64| {
         if at_radii && branches[i] == Branch::LeftOut {
             None
         } else if at_radii {
             at_radius(experiment, &contact, i, branches[i])
         } else {
             let point = &points[i];
-            let load = point.ordinate - experiment.baseline_at(point.abscissa);
+            let load = point.ordinate - experiment.baseline_at(point.abscissa) - level;
             let spring = match experiment.measurement.kind {
                 Kind::ForceHeight => experiment.stiffness.unwrap_or(f64::INFINITY),
                 _ => f64::INFINITY,
@@ -173,12 +182,13 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
             })
         }
     };
-    let of_way = |way: &Vec<usize>| {
-        let mut samples: Vec<Sample> = way.iter().filter_map(|&i| sample(i)).collect();
+    let of_way = |k: usize| {
+        let samples = ways[k].iter().filter_map(|&i| sample(i, levels[k]));
+        let mut samples: Vec<Sample> = samples.collect();
         samples.sort_by(|one, other| one.x.total_cmp(&other.x));
         samples
     };
-    let ways = [of_way(&ways[0]), of_way(&ways[1])];
+    let ways = [0, 1].map(of_way);
     ways.iter().all(|way| way.len() >= FEWEST).then_some(ways)
 }
 

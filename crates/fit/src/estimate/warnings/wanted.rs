@@ -333,9 +333,10 @@ impl<'a> Score<'a> {
         let contacts = (0..points.len()).filter(in_contact);
         let ways = [false, true].map(|way| contacts.clone().filter(|&i| unloads(i) == way).count());
         let has_both = ways.iter().all(|&count| count >= FEWEST);
-        let advice = if let Some(apart) = assigned.baselines_apart() {
+        let advice = if let Some([one, other]) = assigned.baselines_apart() {
             format!(
-                "their baselines are {apart:.2e} N apart, as drag of the liquid or drift makes them: fit one direction alone"
+                "their baselines are {:.2e} N apart, as drag of the liquid or drift makes them: fit one direction alone",
+                (one - other).abs()
             )
         } else if assigned
             .experiment
