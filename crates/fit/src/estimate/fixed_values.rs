@@ -41,7 +41,9 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
         let mut values = assigned
             .iter()
             .filter_map(|one| one.experiment.value_of(*quantity));
-        let Some(first) = values.next() else {
+        // A body that is rigid in one measurement may not be in another.
+        let finite = values.clone().find(|value| value.is_finite());
+        let Some(first) = finite.or_else(|| values.next()) else {
             let allowed = "of a value that the measurement has: check its name and the bodies";
             return Err(Error::setting(name, f64::NAN, allowed));
         };

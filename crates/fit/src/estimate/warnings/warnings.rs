@@ -82,7 +82,7 @@ pub(crate) fn warnings(
             Validity::WARNING_A_OVER_R,
         ));
     }
-    for e in 0..problem.assigned.len() {
+    for (e, whole) in data.iter().enumerate() {
         let range = options.interaction_range;
         let broken = assumptions::of_problem(problem, e, range, &fit.estimates);
         warnings.extend(broken.into_iter().flatten());
@@ -90,7 +90,7 @@ pub(crate) fn warnings(
         warnings.extend(super::pinned::doubt(&problem.assigned[e]));
         relaxing::add(&mut warnings, fit, problem, e);
         if let Some(uncertainty) = &found.uncertainty {
-            warnings.extend(super::unseen_pull::doubt(problem, e, uncertainty, &data[e]));
+            warnings.extend(super::unseen_pull::doubt(problem, e, uncertainty, whole));
         }
     }
     if fit.converged {

@@ -194,7 +194,8 @@ fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f6
 
 /// Splits `VALUE+-ERROR`.
 fn parts<'a>(text: &'a str, how: &str) -> Result<(&'a str, &'a str), String> {
-    let ends = text.split_once("+-").or_else(|| text.split_once('±'));
+    let signs = ["+-", "±", "+/-"];
+    let ends = signs.into_iter().find_map(|sign| text.split_once(sign));
     ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))
 }
 
@@ -271,7 +272,7 @@ mod tests {
                 Some(1e-3),
                 GivenError::Relative(0.02),
             ),
-            ("sphere-radius=+-2%", None, GivenError::Relative(0.02)),
+            ("sphere-radius=+/-2%", None, GivenError::Relative(0.02)),
         ] {
             let given = text.parse::<Given>();
             let quantity = Fixed::SphereRadius;
