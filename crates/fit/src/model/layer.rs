@@ -13,7 +13,7 @@ use crate::Error;
 /// The largest number of bytes of the name of a layer.
 const LONGEST_NAME: usize = 40;
 
-/// The name of a layer, with which its [parameters](Parameter) begin: `oxide.modulus`.
+/// The name of a layer, with which its [parameters](crate::Parameter) begin: `oxide.modulus`.
 ///
 /// A name has 1 to 40 bytes. It has no comma and no equals sign, which separate settings of
 /// parameters, no control character, and no white space at its ends.

@@ -41,13 +41,14 @@ pub(crate) fn add(
     (residuals, leverages): (&DVector<f64>, &[f64]),
 ) -> Vec<bool> {
     let freedom = fit.degrees_of_freedom as f64;
-    if let Some(reduced) = fit.reduced_chi_squared {
+    let poor = fit.reduced_chi_squared.and_then(|reduced| {
         let sums = [fit.chi_squared, freedom, reduced];
-        warnings.extend(poor(problem.loss, residuals.as_slice(), sums));
-    }
+        poor(problem.loss, residuals.as_slice(), sums)
+    });
     let count = problem.assigned.len() as f64;
     let chance = ALIKE / count;
-    let mut of_radii = radius_noise::doubts(problem, &fit.estimates);
+    let mut of_radii = radius_noise::doubts(problem, &fit.estimates, poor.is_some());
+    warnings.extend(poor);
     let mut unequal = vec![false; problem.assigned.len()];
     let experiments = problem.assigned.iter().zip(&fit.experiments);
     let experiments = experiments.zip(problem.rows_of_experiments());

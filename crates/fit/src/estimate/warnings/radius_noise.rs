@@ -29,11 +29,16 @@ const PATIENCE: usize = 30;
 const TOLERANCE: f64 = 1e-6;
 
 /// Returns for each experiment the warning that its residuals are more likely errors of the contact radii than of the
-/// ordinates. One fit is made for all experiments that may have them.
-pub(crate) fn doubts(problem: &Problem<'_>, estimates: &[Estimate]) -> Vec<Option<Warning>> {
+/// ordinates. One fit is made for all experiments that may have them: those whose noise is not known, and those with one
+/// noise where the residuals are too large for it.
+pub(crate) fn doubts(
+    problem: &Problem<'_>,
+    estimates: &[Estimate],
+    are_too_large: bool,
+) -> Vec<Option<Warning>> {
     let count = problem.assigned.len();
     let sought: Vec<usize> = (0..count)
-        .filter(|&e| is_sought(problem, e, estimates))
+        .filter(|&e| is_sought(problem, e, estimates, are_too_large))
         .collect();
     let mut warnings = vec![None; count];
     if let Some(other) = with_errors_of_radii(problem, &sought) {
@@ -45,7 +50,7 @@ pub(crate) fn doubts(problem: &Problem<'_>, estimates: &[Estimate]) -> Vec<Optio
 }
 
 /// Tells whether errors of its radii may be what an experiment has.
-fn is_sought(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> bool {
+fn is_sought(problem: &Problem<'_>, e: usize, estimates: &[Estimate], are_too_large: bool) -> bool {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
     let is_told = |slot: &usize| {
@@ -56,7 +61,8 @@ fn is_sought(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> bool {
     matches!(
         experiment.measurement.kind,
         Kind::LoadRadius | Kind::PenetrationRadius
-    ) && experiment.usual_noise().is_none()
+    ) && (experiment.noise.is_none() || are_too_large)
+        && experiment.errors.ordinate.is_empty()
         && assigned.abscissa_errors.is_empty()
         && assigned.counting() >= FEWEST
         && problem.slots_of(e).iter().all(is_told)
