@@ -234,9 +234,12 @@ impl Bodies {
         }
     }
 
-    /// Returns these bodies with another value of one of their parameters. Other parameters change
-    /// nothing.
-    pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
+    /// Replaces the value of one of the parameters. Other parameters change nothing.
+    pub(crate) fn replace(
+        &mut self,
+        parameter: Parameter,
+        value: f64,
+    ) -> Result<(), interp::Error> {
         let has_film = self.have_film();
         let film = self.layers.first_mut().map(|film| &mut film.layer);
         match parameter {
@@ -262,7 +265,7 @@ impl Bodies {
             }
             _ => {}
         }
-        Ok(self)
+        Ok(())
     }
 
     /// Returns the input of the contact that a parameter is.

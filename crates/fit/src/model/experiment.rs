@@ -167,7 +167,7 @@ impl Experiment {
                     relaxing.law = relaxing.law.with(own, value);
                 }
             }
-            _ => self.bodies = self.bodies.clone().with(parameter, value)?,
+            _ => self.bodies.replace(parameter, value)?,
         }
         Ok(())
     }

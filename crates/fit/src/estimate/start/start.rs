@@ -253,7 +253,8 @@ fn matching_modulus(
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {
-        let bodies = bodies.clone().with(parameter, logarithm.exp()).ok()?;
+        let mut bodies = bodies.clone();
+        bodies.replace(parameter, logarithm.exp()).ok()?;
         let contact = bodies.contact(table, &[]).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {

@@ -150,7 +150,8 @@ fn if_sliding(bodies: &Bodies, parameter: Parameter, value: f64, over_top: f64) 
     if (ratio - 1.0).abs() < LEAST {
         return None;
     }
-    let stiffer = bodies.clone().with(parameter, ratio * value).ok()?;
+    let mut stiffer = bodies.clone();
+    stiffer.replace(parameter, ratio * value).ok()?;
     let there = stiffness(&stiffer, over_top, Interface::Sliding)?;
     let exponent = (there / sliding).ln() / ratio.ln();
     (exponent >= LEAST_EXPONENT).then(|| ratio.powf(exponent.recip()))
