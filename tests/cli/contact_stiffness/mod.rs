@@ -284,6 +284,7 @@ fn a_reference_has_the_poisson_ratio_of_the_substrate() {
     workdir.refuses(format!(
         "
         1 | {fit} --known reference-modulus=72GPa+-1GPa | reference-modulus; check its name
+        1 | {fit} --reference bare.csv --known reference-modulus=+-3% | left out; substrate
         1 | {fit} --reference bare.csv {other} --known reference-modulus=72GPa+-1GPa | two values
         "
     ));

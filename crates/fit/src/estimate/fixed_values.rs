@@ -48,7 +48,12 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
-        let refused = if !assigned.iter().any(has_effect) {
+        let experiments = assigned.iter().map(|one| &one.experiment);
+        let refused = if !is_apart(experiments, *quantity) {
+            Some(
+                "left out: the sample is of the material of the substrate; give the error of the substrate, which counts for both",
+            )
+        } else if !assigned.iter().any(has_effect) {
             Some("of a value that has an effect on these measurements: leave its error out")
         } else if first.is_infinite() {
             Some("finite, and this body is rigid: leave its error out, or give the body a modulus")
@@ -107,7 +112,7 @@ pub(super) fn effects(
     let listed = problem
         .experiments()
         .flat_map(|one| one.fixed(&free))
-        .filter(|one| all && is_apart(problem, *one));
+        .filter(|one| all && is_apart(problem.experiments(), *one));
     for quantity in listed.chain(given) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -117,10 +122,15 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
-        let of_substrate = value_of_substrate(problem, quantity);
+        let is_of_substrate = matches!(
+            quantity,
+            Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio
+        );
+        let of_substrate = below_layers(problem.experiments(), quantity);
         // A reference sample of another material has no substrate.
         let is_other = |one: &Experiment| {
-            one.bodies.are_bare()
+            is_of_substrate
+                && one.bodies.are_bare()
                 && of_substrate.is_some_and(|value| one.value_of(quantity) != Some(value))
         };
         let values = problem
@@ -182,27 +192,26 @@ pub(super) fn effects(
     quantities.into_iter().filter_map(effect).collect()
 }
 
-/// Returns the value of a quantity of a substrate below layers; `None` for other quantities.
-fn value_of_substrate(problem: &Problem<'_>, quantity: Fixed) -> Option<f64> {
-    let is_of_substrate = matches!(
-        quantity,
-        Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio
-    );
-    let mut coated = problem.experiments().filter(|one| !one.bodies.are_bare());
-    coated.find_map(|one| one.value_of(quantity).filter(|_| is_of_substrate))
+/// Returns the value of a quantity of the bodies that are no bare sample.
+fn below_layers<'e>(
+    mut experiments: impl Iterator<Item = &'e Experiment>,
+    quantity: Fixed,
+) -> Option<f64> {
+    experiments.find_map(|one| one.value_of(quantity).filter(|_| !one.bodies.are_bare()))
 }
 
-/// Tells whether a quantity is listed: one of a reference sample is where it is not that of a substrate.
-fn is_apart(problem: &Problem<'_>, quantity: Fixed) -> bool {
+/// Tells whether a quantity has an effect of its own: one of a reference sample has where it is not that of a substrate.
+fn is_apart<'e>(
+    experiments: impl Iterator<Item = &'e Experiment> + Clone,
+    quantity: Fixed,
+) -> bool {
     let substrate = match quantity {
         Fixed::ReferenceModulus => Fixed::SubstrateModulus,
         Fixed::ReferencePoissonRatio => Fixed::SubstratePoissonRatio,
         _ => return true,
     };
-    let of_substrate = value_of_substrate(problem, substrate);
-    let mut samples = problem
-        .experiments()
-        .filter_map(|one| one.value_of(quantity));
+    let of_substrate = below_layers(experiments.clone(), substrate);
+    let mut samples = experiments.filter_map(|one| one.value_of(quantity));
     of_substrate.is_some() && samples.any(|value| of_substrate != Some(value))
 }
 
@@ -240,19 +249,6 @@ pub(super) fn pass_on(fit: &mut Fit) {
             *entry = (covariance[i][j] / (errors[i] * errors[j])).clamp(-1.0, 1.0);
         }
     }
-}
-
-/// Returns the residuals with another value of a quantity, at the same values of the slots; `None`
-/// where there is no contact.
-pub(super) fn residuals_with(
-    problem: &Problem<'_>,
-    quantity: Fixed,
-    value: impl Fn(f64) -> f64,
-) -> Option<DVector<f64>> {
-    residuals_of(problem, |experiment| {
-        let own = experiment.value_of(quantity);
-        own.map_or(Ok(()), |own| experiment.replace_fixed(quantity, value(own)))
-    })
 }
 
 /// Returns the residuals of experiments that `change` changes, at the same values of the slots; `None` where there is no

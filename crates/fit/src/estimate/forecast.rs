@@ -65,14 +65,12 @@ pub fn forecast(
                 return Err(experiment.not_applicable(parameter, reason));
             }
         }
+        // The stiffness itself tells contact depths, and the error of an abscissa counts by the slope where the reading says
+        // that the point lies.
+        experiment.reach_contacts();
+        experiment.make(table)?;
         if experiment.measurement.kind.is_stiffness() {
-            // The stiffness itself tells contact depths.
-            experiment.reach_contacts();
-            experiment.make(table)?;
             experiment.accept_stiffness()?;
-        } else {
-            // The error of an abscissa counts by the slope where the reading says that the point lies.
-            experiment.make(table)?;
         }
         let contact = experiment.bodies.contact(table, &[])?;
         let (branches, order) = experiment.branches_of_model(&contact)?;

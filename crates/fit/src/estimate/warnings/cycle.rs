@@ -54,7 +54,8 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let Some(ways) = experiment.ways() else {
         return hold::doubt(assigned).map(|one| vec![one]);
     };
-    let ways = samples(problem, e, &ways)?;
+    let levels = assigned.baselines_apart();
+    let ways = samples(problem, e, &ways, levels.unwrap_or_default())?;
     let cycle = Cycle::between(&ways)?;
     let name = &experiment.measurement.name;
     let at_half = match cycle.apart {
@@ -84,7 +85,6 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     }
     let has_directions = experiment.measurement.points[0].direction.is_some();
     let is_free = experiment.get(Parameter::WorkOfAdhesionReceding).is_some();
-    let levels = assigned.baselines_apart();
     let cause = levels.map_or_else(
         || "hysteresis: viscous, of the adhesion, or plastic".to_owned(),
         |[one, other]| {
@@ -125,8 +125,14 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     Some(doubts)
 }
 
-/// Returns the samples of loading and of unloading, by ascending `x`.
-fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[Vec<Sample>; 2]> {
+/// Returns the samples of loading and of unloading, by ascending `x`. Drag of a liquid lifts one way and lowers the other:
+/// the loads are those above the `levels` of the baselines of both.
+fn samples(
+    problem: &Problem<'_>,
+    e: usize,
+    ways: &[Vec<usize>; 2],
+    levels: [f64; 2],
+) -> Option<[Vec<Sample>; 2]> {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
     let points = &experiment.measurement.points;
@@ -154,8 +160,6 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
             experiment.predict_with(&problem.contact_of(), &branches, &assigned.order, &[]);
         predicted.ok()?.values
     };
-    // Drag of a liquid lifts one way and lowers the other: each has a baseline of its own.
-    let levels = assigned.baselines_apart().unwrap_or_default();
     let sample = |i: usize, level: f64| {
         if at_radii && branches[i] == Branch::LeftOut {
             None

@@ -41,7 +41,7 @@ pub(super) fn doubt(
     // On approach the contact forms at the contact point.
     let touch = experiment.sense() * experiment.contact_point;
     let error = of(Parameter::ContactPoint).map_or(0.0, |slot| {
-        uncertainty.sizes[slot] * uncertainty.covariance[(slot, slot)].sqrt()
+        uncertainty.sizes[slot] * uncertainty.relative_error(slot)
     });
     let ends = ends(problem, e, uncertainty, whole);
     let branch_of = |i: usize| {

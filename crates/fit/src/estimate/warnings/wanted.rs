@@ -6,13 +6,13 @@
 use interp::Probe;
 use nalgebra::DVector;
 
-use crate::estimate::fixed_values::residuals_with;
+use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::loss::influence;
 use crate::estimate::problem::uncertainty::Uncertainty;
 use crate::statistics::BEYOND_CHANCE;
-use crate::{Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
+use crate::{Experiment, Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -279,7 +279,7 @@ impl<'a> Score<'a> {
         if !problem.assigned.iter().all(could_adhere) {
             return None;
         }
-        let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
+        let moved = residuals_of(problem, |experiment| experiment.replace(WORK, SMALL))?;
         let mut change = (moved - self.raw) / if at_radii { SMALL.sqrt() } else { SMALL };
         for (e, rows) in problem.rows_of_experiments().iter().enumerate() {
             let radii = problem.predict(e, &[]).ok()?.radii;

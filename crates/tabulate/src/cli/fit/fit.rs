@@ -119,8 +119,8 @@ pub struct Arguments {
     #[command(flatten)]
     reference: ReferenceArguments,
     /// Value and standard error of a quantity that is not free, in SI units or with units:
-    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio, beta. A
-    /// value that is given elsewhere is left out: film-thickness=+-3%, a part by which the values of all files err
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio,
+    /// reference-modulus, reference-poisson-ratio, beta. A value that is given elsewhere is left out: film-thickness=+-3%, a part by which the values of all files err
     /// together. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
@@ -412,9 +412,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let table = arguments.table.read_for_contacts()?;
     let table: &Table = &table;
-    let samples = experiments.len() - arguments.data.len();
-    let known = arguments.given.iter();
-    let known = known.map(|one| one.known(&experiments, samples));
+    let (data, sample) = experiments.split_at(arguments.data.len());
+    let known = arguments.given.iter().map(|one| one.known(data, sample));
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,

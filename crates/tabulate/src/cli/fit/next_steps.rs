@@ -51,6 +51,10 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             WarningKind::ZeroNotSeen,
             "the zero of the load: --known load-offset=0+-2nN, or --free ...,load-offset with points off contact",
         ),
+        (
+            WarningKind::PullNotSeen,
+            "without adhesion: --work-of-adhesion 0",
+        ),
         (WarningKind::Hysteresis, ways),
         (WarningKind::MixedBranches, ways),
         (

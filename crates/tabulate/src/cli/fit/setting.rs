@@ -40,15 +40,14 @@ enum GivenError {
 }
 
 impl Given {
-    /// Returns the error for a fit of experiments, the last of which may be on a `reference` sample.
-    pub fn known(&self, experiments: &[Experiment], reference: usize) -> anyhow::Result<Known> {
+    /// Returns the error for a fit of the `data`, and of the experiment on a reference `sample` if there is one.
+    pub fn known(&self, data: &[Experiment], sample: &[Experiment]) -> anyhow::Result<Known> {
         let quantity = self.quantity;
         let name = quantity.name();
         let values = |of: &[Experiment]| -> Vec<f64> {
             let values = of.iter().filter_map(|one| one.value_of(quantity));
             values.filter(|value| value.is_finite()).collect()
         };
-        let (data, sample) = experiments.split_at(experiments.len() - reference);
         let mut all = values(data);
         if all.is_empty() {
             all = values(sample);
