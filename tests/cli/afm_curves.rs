@@ -6,9 +6,8 @@
 
 use std::env;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use acceptance::{Case, Data, Workdir, workdir};
+use acceptance::{Case, Data, Workdir, output, python, workdir};
 use fit::data::{Format, read};
 use serde_json::Value;
 
@@ -91,25 +90,17 @@ fn fit(workdir: &Workdir, curve: &str, file: &str, stiffness: &str) -> Outcome {
     ("fitted", values, kinds.join(" "))
 }
 
-/// Exports the curves to a folder. Returns a line for each curve; none without afmformats.
+const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/cli/export_curves.py");
+
+/// Exports the curves to a folder. Returns a line for each curve; none without the source of afmformats.
 fn export(workdir: &Workdir) -> Option<(PathBuf, String)> {
-    let paths = ["AFMFORMATS_PATH", "AFMFORMATS_SOURCE"].map(env::var_os);
-    let [Some(package), Some(source)] = paths else {
-        println!("skipped: `cargo xtask test` fetches afmformats and its measured curves");
+    let Some(source) = env::var_os("AFMFORMATS_SOURCE") else {
+        println!("skipped: `cargo xtask test` fetches the measured curves of afmformats");
         return None;
     };
     let files = Path::new(&source).join("tests/data");
-    let output = Command::new("python3")
-        .env("PYTHONPATH", package)
-        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("cli/export_curves.py"))
-        .arg(&files)
-        .arg(workdir.path(""))
-        .output()
-        .expect("python3 runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
-    let list = String::from_utf8(output.stdout).expect("UTF-8");
-    Some((files, list))
+    let list = output(python().arg(SCRIPT).arg(&files).arg(workdir.path("")));
+    Some((files, String::from_utf8(list).expect("UTF-8")))
 }
 
 /// Both turn the height round, because the file's grows towards the sample.

@@ -11,6 +11,7 @@ mod error;
 mod forgery;
 mod material;
 mod printed;
+mod python;
 mod refusals;
 mod shapes;
 mod stacks;
@@ -30,6 +31,7 @@ pub use material::{
     solved_contact, system_of,
 };
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};
+pub use python::{output, python};
 pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
 pub use shapes::{flat_ended_cone, modified_power_law, power_law, prony, rounded_cone};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};

@@ -92,7 +92,7 @@ macro_rules! assert_matches {
 #[track_caller]
 pub fn rows<'a, const N: usize>(table: &'a str) -> Vec<[&'a str; N]> {
     let lines = table.lines().filter(|line| !line.trim().is_empty());
-    let cells = |line: &'a str| line.split(" | ").map(str::trim).collect();
+    let cells = |line: &'a str| line.split(" |").map(str::trim).collect();
     let row = |cells: Vec<&'a str>| {
         <[&str; N]>::try_from(cells).unwrap_or_else(|cells| panic!("not {N} cells: {cells:?}"))
     };

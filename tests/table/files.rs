@@ -1,5 +1,5 @@
 //! The HDF5 file and the packed file of a table: each keeps every number, and a damaged or foreign
-//! file is an error. `crates/contact/tests/hostile/packed.rs` damages the packed file at every byte.
+//! file is an error. `tests/hostile/packed.rs` damages the packed file at every byte.
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;

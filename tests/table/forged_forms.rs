@@ -1,4 +1,4 @@
-//! Low-rank forms that do not belong to their table. `crates/contact/tests/hostile/packed.rs` forges the
+//! Low-rank forms that do not belong to their table. `tests/hostile/packed.rs` forges the
 //! files of both forms.
 
 use interp::{Error, Quantity, Table, Tile};

@@ -1,10 +1,8 @@
 //! The HDF5 file of a table, as h5py reads it by `read_table.py`.
 
-use std::env;
 use std::path::Path;
-use std::process::Command;
 
-use acceptance::{assert_names, bits, start, table, write_hdf5};
+use acceptance::{assert_names, bits, output, python, table, write_hdf5};
 use interp::{Parameter, SubstratePoissonRatio, Table};
 use serde_json::{Value, json};
 
@@ -29,22 +27,12 @@ const RIGID: &str = "
     e0_over_e2 = inf
 ";
 
+const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/table/read_table.py");
+
 /// Returns the contents of a file as h5py reads them.
 fn read(path: &Path) -> Value {
-    let packages = env::var_os("H5PY_PATH")
-        .expect("H5PY_PATH is not set: run the tests with `cargo xtask test`, which fetches h5py");
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_table.py");
-    let mut python = Command::new("python3");
-    python.arg(script).arg(path).env("PYTHONPATH", packages);
-    serde_json::from_slice(&output(&mut python)).expect("JSON")
-}
-
-/// Returns the standard output of a command that succeeds.
-pub fn output(command: &mut Command) -> Vec<u8> {
-    let output = start(command).wait_with_output().expect("python3 runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
-    output.stdout
+    let found = output(python().arg(SCRIPT).arg(path));
+    serde_json::from_slice(&found).expect("JSON")
 }
 
 pub fn hexadecimal(values: &[f64]) -> Value {

@@ -1,15 +1,15 @@
 //! The HDF5 file of a table as netCDF: as xarray reads it by netCDF4 and by h5netcdf, and as the example
 //! of `tables/README.md` interpolates it, by `read_xarray.py`.
 
-use std::env;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use acceptance::{BOX, Contacts, TRUTH, larger, shipped, solved, table, write_hdf5};
+use acceptance::{
+    BOX, Contacts, TRUTH, larger, output, python, shipped, solved, table, write_hdf5,
+};
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
 
-use crate::h5py::{hexadecimal, output};
+use crate::h5py::hexadecimal;
 
 /// A scene of one axis and two quantities.
 const RIGID: &str = "
@@ -22,15 +22,7 @@ const RIGID: &str = "
     e0_over_e2 = inf
 ";
 
-/// Returns a command that runs python3 with xarray.
-fn python() -> Command {
-    let packages = env::var_os("XARRAY_PATH").expect(
-        "XARRAY_PATH is not set: run the tests with `cargo xtask test`, which fetches xarray",
-    );
-    let mut python = Command::new("python3");
-    python.env("PYTHONPATH", packages);
-    python
-}
+const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/table/read_xarray.py");
 
 fn readme() -> PathBuf {
     shipped("README.md")
@@ -53,10 +45,9 @@ fn read(path: &Path, points: &[(f64, Material)], methods: &[&str]) -> Value {
         })
         .collect();
     std::fs::write(&places, Value::from(points).to_string()).expect("written");
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_xarray.py");
     let found = output(
         python()
-            .arg(script)
+            .arg(SCRIPT)
             .args([path, &readme(), &places])
             .args(methods),
     );

@@ -6,12 +6,12 @@
 use functions::FUNCTIONS;
 use libfuzzer_sys::fuzz_target;
 
-#[path = "../tests/hostile/calls.rs"]
+#[path = "../../../tests/hostile/calls.rs"]
 mod calls;
-#[path = "../tests/hostile/functions.rs"]
+#[path = "../../../tests/hostile/functions.rs"]
 mod functions;
 #[allow(dead_code, reason = "the test uses more of these tables")]
-#[path = "../tests/hostile/tables.rs"]
+#[path = "../../../tests/hostile/tables.rs"]
 mod tables;
 
 fuzz_target!(|input: &[u8]| {

@@ -8,7 +8,7 @@ use libfuzzer_sys::fuzz_target;
 use tables::{look_up, with_prefix};
 
 #[allow(dead_code, reason = "the test uses more of these tables")]
-#[path = "../tests/hostile/tables.rs"]
+#[path = "../../../tests/hostile/tables.rs"]
 mod tables;
 
 // The input is the payload alone. Valid length and checksum precede it, because the reader would

@@ -1,8 +1,7 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
 //! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
-//! directory: cmake to build libhdf5 where no library is installed, h5py and xarray for tests
-//! (xarray needs Python 3.11), scipy for two benches, maturin and more for the Python package.
+//! directory: cmake to build libhdf5 where no library is installed, and the packages of tests, benches and builds.
 //! Nothing is installed on the system. The tests of the report's page run in Chromium, and are
 //! skipped, with a message, where there is none.
 
@@ -25,9 +24,10 @@ mod workspace;
 
 use std::fs::{self, File};
 use std::io::{self, Write, stderr, stdout};
-use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, thread};
+
+use python_tests::Environment;
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -122,17 +122,13 @@ fn test(args: &[String]) -> Result<(), String> {
     if args.is_empty() {
         return whole_suite();
     }
-    succeed(&mut tests_in_rust(args, environment_of_tests()?)?)
+    succeed(&mut tests_in_rust(args, &python_tests::environment()?)?)
 }
 
 /// Compiles all tests while it fetches what they need, and runs those of the Python package beside those in Rust: each leave
 /// cores idle at times. What Python prints comes last.
 fn whole_suite() -> Result<(), String> {
-    let fetching = thread::spawn(|| {
-        let environment = environment_of_tests()?;
-        python_tests::fetch()?;
-        Ok::<_, String>(environment)
-    });
+    let fetching = thread::spawn(python_tests::environment);
     let compiled = python_tests::compile();
     // What is fetched is left whole, whatever the compiler says.
     let environment = fetching.join().expect("fetching does not panic");
@@ -141,8 +137,9 @@ fn whole_suite() -> Result<(), String> {
     let path = workspace::target()?.join("python-tests.log");
     let failed = |e: io::Error| format!("{}: {e}", path.display());
     let log = File::create(&path).map_err(failed)?;
-    let python = thread::spawn(move || python_tests::in_place(&log));
-    let rust = succeed(&mut tests_in_rust(&[], environment)?);
+    let mut rust = tests_in_rust(&[], &environment)?;
+    let python = thread::spawn(move || python_tests::in_place(&environment, &log));
+    let rust = succeed(&mut rust);
     let python = python.join().expect("the tests of Python do not panic");
     let _ = write!(stdout(), "{}", fs::read_to_string(&path).map_err(failed)?);
     match (rust, python) {
@@ -151,39 +148,14 @@ fn whole_suite() -> Result<(), String> {
     }
 }
 
-fn tests_in_rust(
-    args: &[String],
-    environment: Vec<(&'static str, PathBuf)>,
-) -> Result<Command, String> {
+fn tests_in_rust(args: &[String], environment: &Environment) -> Result<Command, String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
     cargo
-        .envs(environment)
+        .envs(environment.iter().cloned())
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     Ok(cargo)
-}
-
-/// Returns the environment that tells the tests in Rust where their packages of Python are, and where
-/// Python stores compiled modules. Leaves out afmformats, with a message, if it cannot be fetched.
-fn environment_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
-    let mut packages = vec![
-        ("H5PY_PATH", python::package("h5py", H5PY)?),
-        ("XARRAY_PATH", python::packages(&XARRAY)?),
-    ];
-    packages.extend(python::compiled()?);
-    // The package exports curves as columns, and its source holds them.
-    let source = || python::source("afmformats", python_tests::AFMFORMATS);
-    let afmformats = python::package("afmformats", &format!("=={}", python_tests::AFMFORMATS));
-    match afmformats.and_then(|package| Ok([package, source()?])) {
-        Ok([package, source]) => {
-            packages.extend([("AFMFORMATS_PATH", package), ("AFMFORMATS_SOURCE", source)])
-        }
-        Err(message) => {
-            eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
-        }
-    }
-    Ok(packages)
 }
 
 /// Fetches all packages of Python that tests, comparisons and the site need, and the tools that build
@@ -191,24 +163,10 @@ fn environment_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
 fn tools() -> Result<(), String> {
     // To make this command is to fetch cmake and ninja where they are needed.
     hdf5::cargo(&["build", "--workspace"])?;
-    environment_of_tests()?;
-    python::package("scipy", SCIPY)?;
-    python_tests::fetch()?;
-    site::packages().map(drop)
+    python_tests::environment().map(drop)
 }
 
-/// The versions of h5py with which the test of the HDF5 file passes.
-const H5PY: &str = ">=3.8,<4";
-/// The packages with which the tests of the HDF5 file as netCDF pass.
-const XARRAY: [&str; 5] = [
-    "xarray==2026.9.0",
-    "h5netcdf==1.8.2",
-    "h5py==3.16.0",
-    "netCDF4==1.7.5.1.post1",
-    "scipy==1.17.1",
-];
-
-/// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests, so
+/// Runs the benches that need scipy. The selection is that of the tests, so
 /// that nothing is compiled twice for the small cases. Where the times count, all crates are compiled
 /// again, with other options.
 fn compare(args: &[&str]) -> Result<(), String> {
@@ -231,11 +189,8 @@ fn compare(args: &[&str]) -> Result<(), String> {
         "rivals",
     ];
     let bench = [&bench, profile, args].concat();
-    succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
+    succeed(hdf5::cargo(&bench)?.env("PYTHON", venv::interpreter()?))
 }
-
-/// The versions of scipy with which the benches run.
-const SCIPY: &str = ">=1.11,<2";
 
 fn cargo(args: &[String]) -> Result<(), String> {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();

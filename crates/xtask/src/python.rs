@@ -1,6 +1,7 @@
 //! Python packages for the project's own use. They lie in the target directory; the user's own
 //! environment is not changed.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,7 +19,8 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
 pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
     let all = requirements.join(" ");
     fetched(&plain(&all), &all, |folder| {
-        run(install(Path::new("python3"))
+        run(pip()
+            .args(INSTALL)
             .arg("--target")
             .arg(folder)
             .args(requirements))
@@ -32,8 +34,9 @@ pub fn source(name: &str, version: &str) -> Result<PathBuf, String> {
     let what = format!("source of {release}");
     let folder = fetched(&plain(&what), &what, |folder| {
         let requirement = format!("{name}=={version}");
-        run(pip(Path::new("python3"), "download")
-            .args(["--no-deps", "--no-binary", name, &requirement, "--dest"])
+        run(pip()
+            .args(["download", "--no-deps", "--no-binary", name, &requirement])
+            .arg("--dest")
             .arg(folder))?;
         let archive = folder.join(format!("{release}.tar.gz"));
         let mut unpack = Command::new("python3");
@@ -90,18 +93,24 @@ pub fn compiled() -> Result<[(&'static str, PathBuf); 2], String> {
     ])
 }
 
-/// Returns the command with which pip installs what is added to it, for the interpreter `python`.
-pub fn install(python: &Path) -> Command {
-    let mut install = pip(python, "install");
-    // Python compiles what it imports. That is little of what pip would compile.
-    install.arg("--no-compile");
-    install
+/// Python compiles what it imports. That is little of what pip would compile.
+const INSTALL: [&str; 2] = ["install", "--no-compile"];
+
+/// Installs packages, or does what else `arguments` ask for, in the environment of an interpreter.
+pub fn install(
+    interpreter: &Path,
+    arguments: impl IntoIterator<Item: AsRef<OsStr>>,
+) -> Result<(), String> {
+    run(pip()
+        .arg("--python")
+        .arg(interpreter)
+        .args(INSTALL)
+        .args(arguments))
 }
 
-fn pip(python: &Path, command: &str) -> Command {
-    let mut pip = Command::new(python);
-    pip.args(["-m", "pip", command])
-        .args(["--quiet", "--disable-pip-version-check"])
+fn pip() -> Command {
+    let mut pip = Command::new("python3");
+    pip.args(["-m", "pip", "--quiet", "--disable-pip-version-check"])
         .env("PIP_ROOT_USER_ACTION", "ignore");
     pip
 }

@@ -8,34 +8,48 @@ use std::{env, io};
 
 use crate::{hdf5, python, succeed, venv, wheel, workspace};
 
-/// The version of afmformats whose curves are fitted.
-pub const AFMFORMATS: &str = "0.18.7";
-
 /// The packages whose sources hold measured curves, with their versions and the environment variables
 /// that tell the tests where they are.
 const MEASURED: [[&str; 3]; 2] = [
-    ["afmformats", AFMFORMATS, "AFMFORMATS_SOURCE"],
+    ["afmformats", "0.18.7", "AFMFORMATS_SOURCE"],
     ["nanite", "4.2.3", "NANITE_SOURCE"],
 ];
 
+/// Variables of the environment, which name folders and programs.
+pub type Environment = Vec<(&'static str, PathBuf)>;
+
+/// Returns the environment that tells the tests in Rust and in Python which interpreter has the packages that they need,
+/// where it stores compiled modules, and where measured curves are. Leaves out, with a message, curves that cannot be
+/// fetched.
+pub fn environment() -> Result<Environment, String> {
+    let mut environment = vec![("PYTHON", venv::interpreter()?)];
+    environment.extend(python::compiled()?);
+    for [name, version, variable] in MEASURED {
+        match python::source(name, version) {
+            Ok(folder) => environment.push((variable, folder)),
+            Err(message) => {
+                eprintln!("xtask: {message}\nxtask: the tests with curves of {name} are skipped")
+            }
+        }
+    }
+    Ok(environment)
+}
+
 /// Tests the package as it stands in the workspace, with the compiled module that the tests in Rust
 /// were built with: that of a wheel has all its dependencies compiled again, with fewer features.
-/// Without a python3 that can make a virtual environment, it says so. What the tests print is written to
-/// `log`.
-pub fn in_place(log: &File) -> Result<(), String> {
-    if !can_be_run() {
-        return Ok(());
-    }
+/// What the tests print is written to `log`.
+pub fn in_place(environment: &Environment, log: &File) -> Result<(), String> {
     if !cfg!(target_os = "linux") {
         // Modules are linked in another way there, which maturin knows.
         return of_wheel();
     }
-    run(&venv::interpreter()?, Some(&package()?), Some(log))
+    run(environment, Some(&package()?), Some(log))
 }
 
 /// Builds the wheel, and tests the package that it installs.
 pub fn of_wheel() -> Result<(), String> {
-    run(&wheel::installed()?, None, None)
+    wheel::install()?;
+    run(&environment()?, None, None)
 }
 
 /// Puts the package together as it stands in the workspace, with the module that is compiled for the
@@ -57,52 +71,18 @@ pub fn compile() -> Result<(), String> {
     succeed(&mut hdf5::cargo(&build)?)
 }
 
-/// Returns whether there is a python3 for the tests; says so where there is none.
-fn can_be_run() -> bool {
-    let can = venv::can_be_made();
-    if !can {
-        eprintln!(
-            "xtask: the tests of the Python package are skipped: there is no python3 >= 3.11 with venv"
-        );
-    }
-    can
-}
-
-/// Fetches what the tests need, if they can be run.
-pub fn fetch() -> Result<(), String> {
-    if can_be_run() {
-        venv::interpreter()?;
-        measured();
-    }
-    Ok(())
-}
-
-/// Returns the environment that tells the tests where measured curves are. A package that cannot be
-/// fetched is left out, with a message.
-fn measured() -> Vec<(&'static str, PathBuf)> {
-    let source = |[name, version, variable]: [&'static str; 3]| match python::source(name, version)
-    {
-        Ok(folder) => Some((variable, folder)),
-        Err(message) => {
-            eprintln!("xtask: {message}\nxtask: the tests with curves of {name} are skipped");
-            None
-        }
-    };
-    MEASURED.into_iter().filter_map(source).collect()
-}
-
-/// Runs tests and checks with an interpreter, on the package that it has or that of a folder. What they print is
+/// Runs tests and checks on the package that is installed or that of a folder. What they print is
 /// written to `log`, if there is one.
-fn run(python: &Path, folder: Option<&Path>, log: Option<&File>) -> Result<(), String> {
-    let measured = measured();
+fn run(environment: &Environment, folder: Option<&Path>, log: Option<&File>) -> Result<(), String> {
+    let python = venv::interpreter()?;
     let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
     let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
-        let mut command = Command::new(python);
+        let mut command = Command::new(&python);
         command
             .args(["-m", module])
             .args(arguments)
             .current_dir(sources())
-            .envs(python::compiled()?)
+            .envs(environment.iter().cloned())
             .env("RUFF_CACHE_DIR", cache("ruff")?)
             .env("MYPY_CACHE_DIR", cache("mypy")?);
         if let Some(log) = log {
@@ -112,9 +92,6 @@ fn run(python: &Path, folder: Option<&Path>, log: Option<&File>) -> Result<(), S
         }
         if let Some(folder) = folder {
             command.env("PYTHONPATH", folder);
-        }
-        for (variable, folder) in &measured {
-            command.env(variable, folder);
         }
         if let Some(program) = program()? {
             command.env("TABULATE", program);

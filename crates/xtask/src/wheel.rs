@@ -1,5 +1,6 @@
 //! The wheel and the source distribution of the Python package.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -30,16 +31,12 @@ fn distribute(options: &[&str], zig: Option<&Path>) -> Result<[PathBuf; 2], Stri
     Ok([wheel, made("gz")?])
 }
 
-/// Builds the wheel, installs it into a virtual environment, and returns the interpreter there.
-pub fn installed() -> Result<PathBuf, String> {
+/// Builds the wheel, and installs it into the virtual environment.
+pub fn install() -> Result<(), String> {
     let python = venv::interpreter()?;
     let wheel = wheel(&python, &[], None)?;
-    succeed(
-        python::install(&python)
-            .args(["--no-deps", "--force-reinstall"])
-            .arg(wheel),
-    )?;
-    Ok(python)
+    let options = ["--no-deps", "--force-reinstall"].map(OsStr::new);
+    python::install(&python, options.into_iter().chain([wheel.as_os_str()]))
 }
 
 /// Builds the wheel with further options of maturin, and with the folder of zig where it links, and

@@ -70,7 +70,7 @@ fn a_line_that_leaves_the_table_is_an_error_and_stays() {
     assert!(matches!(ramp, Err(Error::OutsideRadii { .. })), "{ramp:?}");
 }
 
-/// Lines of any numbers are in `crates/contact/tests/hostile/functions.rs`.
+/// Lines of any numbers are in `tests/hostile/functions.rs`.
 #[test]
 fn laws_of_hostile_numbers_are_errors() {
     const HOSTILE: [f64; 12] = [

@@ -150,7 +150,7 @@ impl Table {
     ///
     /// Whatever the bytes, reading takes at most 52 bytes of memory for each of them and 1.1 MB.
     /// The first lookup takes at most 850 and 37 MB in a low-rank table, 50 and 27 MB in a dense
-    /// one (measured at their worst by `contact/tests/hostile/packed.rs`). [`Table::from_low_rank`] states
+    /// one (measured at their worst by `tests/hostile/packed.rs`). [`Table::from_low_rank`] states
     /// the work.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         let (header, content) = split(bytes)?;

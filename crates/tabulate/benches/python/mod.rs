@@ -37,7 +37,8 @@ impl Python {
             "VECLIB_MAXIMUM_THREADS",
         ]
         .map(|name| (name, "1"));
-        let mut command = Command::new("python3");
+        let interpreter = env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
+        let mut command = Command::new(interpreter);
         command
             .arg(script)
             .envs(threads)

@@ -46,7 +46,7 @@ fn installed(distribution: &Path, environment: &Path) -> Result<(), String> {
     )?;
     let interpreter = environment.join("bin/python");
     let start = Instant::now();
-    succeed(python::install(&interpreter).arg(distribution))?;
+    python::install(&interpreter, [distribution])?;
     succeed(Command::new(&interpreter).args(["-c", FIRST_CURVE]))?;
     println!(
         "xtask: {:.1} s from pip install of {} to the first force curve",

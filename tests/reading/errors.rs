@@ -1,14 +1,15 @@
 //! Tables that cannot be read: each error names the place and the next step. `habits.rs` has others.
 
+use acceptance::Refused;
 use fit::Kind;
 use fit::data::{Format, Remedy};
 
-use crate::{assert_told, named, of_kind, read, rows, with};
+use crate::{named, of_kind, read, rows, with};
 
 /// Asserts that a text is refused with these words.
 #[track_caller]
 fn refused(text: &str, format: &Format, words: &str) {
-    assert_told(read(text, format), words);
+    read(text, format).refused(words);
 }
 
 #[test]
@@ -62,13 +63,10 @@ fn bytes_that_are_not_text_are_refused() {
         (&b"a,b\n1,\0\n"[..], "file; binary data"),
         (&[b'1'; 70_000], "file; line 1: the line is longer than"),
     ] {
-        assert_told(
-            fit::data::read_from(bytes, "file", &Format::default()),
-            words,
-        );
+        fit::data::read_from(bytes, "file", &Format::default()).refused(words);
     }
     let missing = fit::data::read("no/such/file".as_ref(), &Format::default());
-    assert_told(missing, "no/such/file");
+    missing.refused("no/such/file");
 }
 
 #[test]

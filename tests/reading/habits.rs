@@ -1,8 +1,9 @@
 //! What people hand over: other files, other encodings, spreadsheets, files put together.
 
+use acceptance::Refused;
 use fit::data::{Format, read_from};
 
-use crate::{assert_told, assert_values, rows, values};
+use crate::{assert_values, rows, values};
 
 /// Two points, in um and mN.
 const POINTS: [[f64; 2]; 2] = [[50.0, -0.1], [60.0, 0.2]];
@@ -58,7 +59,7 @@ fn check(name: &str, bytes: &[u8], outcome: &str) {
     let times = match outcome {
         "once" => 1,
         "twice" => 2,
-        words => return assert_told(found, words),
+        words => return found.refused(words),
     };
     let reading = found.unwrap_or_else(|error| panic!("{name}: {error}"));
     let si = POINTS.map(|[a, f]| [a * 1e-6, f * 1e-3]);

@@ -23,35 +23,16 @@ fn sound(text: &str, format: &Format) -> Reading {
     read(text, format).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Returns the cells of a table as text: one row a line, its cells parted by ` | `, with `\n`, `\r` and `\t`
-/// as they are written in a string. It is an error if a line has another number of cells, or there is none.
+/// Returns the cells of a table, of which [`acceptance::rows`] tells the form, with `\n`, `\r` and `\t` as they are
+/// written in a string.
 fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
     const ESCAPES: [(&str, &str); 3] = [("\\n", "\n"), ("\\r", "\r"), ("\\t", "\t")];
-    let lines = table.lines().filter(|line| !line.trim().is_empty());
     let cell = |cell: &str| {
         let replaced = |text: String, (escape, byte)| text.replace(escape, byte);
-        ESCAPES.into_iter().fold(cell.trim().to_owned(), replaced)
+        ESCAPES.into_iter().fold(cell.to_owned(), replaced)
     };
-    let row = |line: &str| {
-        let cells: Vec<String> = format!("{line} ").split(" | ").map(cell).collect();
-        <[String; N]>::try_from(cells).unwrap_or_else(|_| panic!("not {N} cells: {line}"))
-    };
-    let rows: Vec<_> = lines.map(row).collect();
-    assert!(!rows.is_empty(), "a table without rows");
-    rows
-}
-
-/// Asserts that an error is told in one line, which names all the words, which `; ` parts, and no flag of the
-/// program.
-#[track_caller]
-fn assert_told(found: Result<Reading, DataError>, words: &str) {
-    let error = found.expect_err(words).to_string();
-    assert_eq!(error.lines().count(), 1, "{error}");
-    for word in words.split("; ") {
-        assert!(!word.is_empty(), "{words}");
-        assert!(error.contains(word), "{word:?} is not in: {error}");
-    }
-    assert!(!error.contains("--"), "names a flag: {error}");
+    let rows = acceptance::rows::<N>(table).into_iter();
+    rows.map(|row| row.map(cell)).collect()
 }
 
 /// Returns abscissae and ordinates.

@@ -1,10 +1,11 @@
 //! Files in the style of instruments' programs. The numbers are invented; the headings are those of
 //! exports.
 
+use acceptance::Refused;
 use fit::Kind;
 use fit::data::{DoubtKind, Format, Segments};
 
-use crate::{assert_told, assert_values, directions, named, read, rows, sound, values, with};
+use crate::{assert_values, directions, named, read, rows, sound, values, with};
 
 /// Headings, the kind that is asked for, and what one row of numbers gives in SI units.
 #[test]
@@ -70,7 +71,7 @@ fn segments_may_have_columns_of_their_own() {
     let columns = "vDeflection strainGaugeHeight\n# spring";
     let text = JPK.replace(columns, "error time\n# spring");
     let read = read(&text, &Format::default());
-    assert_told(read, "line 26: force-height lacks height");
+    read.refused("line 26: force-height lacks height");
 }
 
 #[test]
@@ -97,7 +98,7 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     let of_retract = "strainGaugeHeight\n# springConstant: 0.0";
     let two = JPK.replace(&format!("{of_retract}5"), &format!("{of_retract}501"));
     let found = read(&two, &Format::default());
-    assert_told(found, "0.05 in line 1 and 0.0501 in line 23");
+    found.refused("0.05 in line 1 and 0.0501 in line 23");
     assert!(read(&two, &given).is_ok(), "the one given holds");
     // Forces were made with the stiffness of the head. A rigid cantilever stands for heights without the deflection.
     for (stiffness, doubted) in [(0.05, false), (0.1, true), (49.0, true), (50.0, false)] {
@@ -115,7 +116,7 @@ fn a_cantilever_that_is_not_calibrated_is_not_used() {
     let text = "Force-Distance Curve\nLight Lever Gain, mV/nm:\t1.000000\n\
                 Force Constant, nN/nm:\t1.000000\n\nExtend Z-Sense(nm),Extend T-B(V)\n1,2\n2,3\n";
     let found = read(text, &Format::default());
-    assert_told(found, "line 2 has 1; not calibrated");
+    found.refused("line 2 has 1; not calibrated");
     let text = text.replace("1.000000", "0.500000");
     let reading = sound(&text, &Format::default());
     let expected = [[-1e-9, 2.0 * 0.5 * 2e-6], [-2e-9, 3.0 * 0.5 * 2e-6]];
