@@ -98,6 +98,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --probe flat-punch | --probe flat-punch; give penetrations and loads
         1 | {film} --free sphere-modulus,sphere-modulus | sphere-modulus is free twice
         1 | simulate --specimen paper --kind load-penetration --segments retract --hold 1s --sample-interval 0.1s --from -1um --to 1um --noise 1uN | --hold; --segments cycle
+        1 | simulate --specimen paper --kind load-radius --value work-of-adhesion-receding=0.1 --from 40um --to 130um --noise 20uN | work-of-adhesion-receding; --segments cycle
         1 | {film} --column penetration=depth[nm] | no column is; depth[nm]; penetration
         1 | {depths} --half-space --thinning 0.333 | --thinning; half-space
         1 | {film} --between 1mN..5mN | force; length; m

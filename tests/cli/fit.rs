@@ -1,7 +1,7 @@
 //! `tabulate fit`
 
 use acceptance::{
-    Data, Workdir, assert_estimate, assert_names, assert_near, kinds, number, workdir,
+    Data, Workdir, assert_estimate, assert_names, assert_near, json, kinds, number, workdir,
 };
 use serde_json::Value;
 
@@ -74,9 +74,13 @@ fn the_object_has_the_keys_of_its_help() {
     };
     assert_eq!(
         keys(&object),
-        "read converged parameters correlation reduced_chi_squared noise abscissa_noise a_over_t left_out \
+        "created_by command read converged parameters correlation reduced_chi_squared noise abscissa_noise a_over_t left_out \
          without_film fixed_values warnings"
     );
+    // The command makes the object again.
+    let command = object["command"].as_str().expect("text");
+    let command = command.replacen("tabulate", "exec $0", 1);
+    assert_eq!(json(&workdir.script(&command).stdout), object);
     let parameters = &object["parameters"];
     assert_eq!(
         keys(parameters),

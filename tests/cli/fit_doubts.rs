@@ -99,6 +99,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} film-thickness=+-3e-2 | known film-thickness; 0.03; at most its value
         1 | {known} film-thickness=+-300% | known film-thickness; at most its value
         1 | fit data.csv --sphere-modulus 2MPa --free work-of-adhesion --known film-thickness=+-3% | --film-thickness is missing
+        1 | fit data.csv --film-thickness 3e-5 --specimen paper --free work-of-adhesion,work-of-adhesion-receding | work-of-adhesion-receding; directions; --segments split
         "
     ));
 }

@@ -15,7 +15,11 @@ fn a_cycle_goes_there_and_back() {
          --film-modulus 5e3 --film-thickness 2e-5 --work-of-adhesion 1e-4 --stiffness 0.1 \
          --from 1e-6 --to -1e-6 --points 5 --noise 0 --value baseline=1e-9";
     let text = workdir.simulate(cycle);
-    assert!(text.starts_with("# Synthetic, not measured. SI units.\n# tabulate simulate --kind "));
+    let version = env!("CARGO_PKG_VERSION");
+    let head = format!(
+        "# Synthetic, not measured, by tabulate {version}. SI units.\n# tabulate simulate --kind "
+    );
+    assert!(text.starts_with(&head), "{text}");
     let data = Data::parse("cycle", &text);
     assert_eq!(data.columns().join(","), "height,load,segment");
     let column = |name| -> Vec<&str> { data.cases().map(|row| row.text(name)).collect() };

@@ -91,7 +91,7 @@ fn a_value_that_changes_nothing_is_no_result() {
     assert!(fitted(&experiment, &free, false).is_ok());
     // No point is on retract.
     let all = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
-    let words = "do not determine work-of-adhesion-receding; Fix it; prior";
+    let words = "do not determine work-of-adhesion-receding; unloading; directions";
     fitted(&experiment, &all, false).refused(words);
     let mut known = all.map(Free::new);
     known[2] = known[2].with_prior(1e-4, 1e-5);

@@ -13,7 +13,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
 
 /// The options of Chromium: no window, no network, nothing but the page.
-const OPTIONS: [&str; 12] = [
+const OPTIONS: [&str; 13] = [
     "--headless",
     "--no-sandbox",
     "--disable-gpu",
@@ -22,6 +22,8 @@ const OPTIONS: [&str; 12] = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    // Containers have little shared memory.
+    "--disable-dev-shm-usage",
     // Without these two, Chromium gives up on a page that takes long.
     "--disable-hang-monitor",
     "--disable-gpu-watchdog",

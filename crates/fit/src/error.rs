@@ -63,13 +63,13 @@ pub enum Error {
     /// Parameters without a finite standard error.
     #[error(
         "the data do not determine {parameters}: no standard error is finite there. {}",
-        next_of_not_determined(parameters, *pull_off_only)
+        why.next(parameters)
     )]
     NotDetermined {
         /// The parameters, between "and".
         parameters: String,
-        /// Whether they are works of adhesion of flat punches, which change the load of pull-off only.
-        pull_off_only: bool,
+        /// Why it may be so.
+        why: Undetermined,
     },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}{}", other_start(cause))]
@@ -174,20 +174,40 @@ impl From<interp::Error> for Error {
     }
 }
 
-/// Returns what to do about parameters that data do not determine.
-fn next_of_not_determined(parameters: &str, pull_off_only: bool) -> String {
-    if pull_off_only {
-        return "The load on a flat punch does not depend on the work of adhesion, until it pulls off: fix it at a value \
-                that is surely large enough, which changes no other value, and find it afterwards from the load of \
-                pull-off and the modulus found"
-            .into();
+/// Why data do not determine parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undetermined {
+    /// They are works of adhesion of flat punches, which change the load of pull-off only.
+    PullOffOnly,
+    /// It is the work of adhesion of a receding line, and no point recedes.
+    NothingRecedes,
+    /// Nothing else is known.
+    Insensitive,
+}
+
+impl Undetermined {
+    /// Returns what to do about the parameters.
+    fn next(self, parameters: &str) -> String {
+        match self {
+            Self::PullOffOnly => {
+                "The load on a flat punch does not depend on the work of adhesion, until it pulls off: fix it at a value \
+                 that is surely large enough, which changes no other value, and find it afterwards from the load of \
+                 pull-off and the modulus found"
+                    .into()
+            }
+            Self::NothingRecedes => {
+                "No point is stated to be measured at unloading: give the points their directions".into()
+            }
+            Self::Insensitive => {
+                let which = if parameters.contains(" and ") {
+                    "all but one of them"
+                } else {
+                    "it"
+                };
+                format!("Fix {which}, give a prior, or measure where {which} changes the ordinates")
+            }
+        }
     }
-    let which = if parameters.contains(" and ") {
-        "all but one of them"
-    } else {
-        "it"
-    };
-    format!("Fix {which}, give a prior, or measure where {which} changes the ordinates")
 }
 
 /// Returns the next step after an error of the contact where a fit starts: another start, unless the error names the

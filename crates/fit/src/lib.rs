@@ -56,7 +56,7 @@ mod model;
 pub mod report;
 mod statistics;
 
-pub use error::Error;
+pub use error::{Error, Undetermined};
 pub use estimate::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue,
     Forecast, LeftOut, LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm,

@@ -19,8 +19,8 @@ use super::without_film;
 use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
-    Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
-    Parameter, WarningKind, WithoutFilm,
+    Branch, Direction, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
+    Options, Parameter, Undetermined, WarningKind, WithoutFilm,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -149,10 +149,25 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
         return Ok(());
     }
     let is_punch = |one: &Assigned| one.experiment.bodies.probe.is_flat_punch();
-    let is_work = |&slot: &usize| problem.slots[slot].parameter.is_work_of_adhesion();
+    let recedes = |one: &Experiment| {
+        let mut points = one.measurement.points.iter();
+        points.any(|point| point.direction == Some(Direction::Retract))
+    };
+    let mut parameters = open.iter().map(|&slot| problem.slots[slot].parameter);
+    let why = if parameters.clone().all(Parameter::is_work_of_adhesion)
+        && problem.assigned.iter().all(is_punch)
+    {
+        Undetermined::PullOffOnly
+    } else if parameters.all(|one| one == Parameter::WorkOfAdhesionReceding)
+        && !problem.experiments().any(recedes)
+    {
+        Undetermined::NothingRecedes
+    } else {
+        Undetermined::Insensitive
+    };
     Err(Error::NotDetermined {
         parameters: names_of(problem, &open),
-        pull_off_only: problem.assigned.iter().all(is_punch) && open.iter().all(is_work),
+        why,
     })
 }
 

@@ -1,5 +1,7 @@
 //! The next step of a user of the program after an error of a library, which knows no commands.
 
+#[cfg(feature = "figures")]
+use ::fit::Undetermined;
 use interp::{Error, Parameter};
 
 /// Returns the commands that help after an error, if there are some.
@@ -14,15 +16,22 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
         return of_cause(cause.as_ref());
     }
     #[cfg(feature = "figures")]
-    if let Some(::fit::Error::NotDetermined {
-        pull_off_only: true,
-        ..
-    }) = cause.downcast_ref()
-    {
-        return Some(
-            "give --work-of-adhesion 1J/m^2, say, and --free film-modulus,contact-point without a work of adhesion; then \
-             `tabulate pull-off --load -2uN`, with the load of the pull-off and --film-modulus, finds it",
-        );
+    if let Some(::fit::Error::NotDetermined { why, .. }) = cause.downcast_ref() {
+        match why {
+            Undetermined::PullOffOnly => {
+                return Some(
+                    "give --work-of-adhesion 1J/m^2, say, and --free film-modulus,contact-point without a work of adhesion; \
+                     then `tabulate pull-off --load -2uN`, with the load of the pull-off and --film-modulus, finds it",
+                );
+            }
+            Undetermined::NothingRecedes => {
+                return Some(
+                    "a column of directions has the heading `segment` and the words approach and retract; --segments split \
+                     parts points in the order measured where they turn",
+                );
+            }
+            Undetermined::Insensitive => {}
+        }
     }
     if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
         return Some(

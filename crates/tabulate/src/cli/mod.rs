@@ -11,6 +11,8 @@ mod allow;
 mod bodies;
 mod check;
 mod command;
+#[cfg(feature = "figures")]
+mod command_line;
 mod completions;
 #[cfg(feature = "figures")]
 mod cost;

@@ -1,6 +1,5 @@
 //! `tabulate simulate`
 
-use std::env;
 use std::path::PathBuf;
 
 use ::fit::data::{Role, roles};
@@ -15,6 +14,7 @@ use clap::{ValueHint, value_parser};
 use serde_json::{Value, json};
 use units::{Dimension, Quantity};
 
+use super::command_line::command_line;
 use super::fit::experiments::{KnownArguments, forget_shapes};
 use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise, abscissa_noise};
@@ -28,7 +28,7 @@ use super::points::{evenly, number};
 use super::quantity::{self, any, number as decimal};
 use super::table_name::{self, TableName};
 use super::{allow, note};
-use crate::printable;
+use crate::table::scene::created_by;
 
 /// Make the data that an experiment would give, or the errors that its fit would have
 ///
@@ -255,6 +255,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.kind != Kind::StiffnessDepth || experiments[0].indentation.hardness.is_some(),
         "--kind stiffness-depth needs --hardness, which tells the loads, for example 10GPa"
     );
+    ensure!(
+        experiments[0].work_of_adhesion_receding.is_none()
+            || arguments.ways().contains(&Some(Direction::Retract)),
+        "work-of-adhesion-receding is that of unloading, and there is none: leave it out, or give --segments cycle"
+    );
     experiments[0].noise = Some(noise);
     if let Some(noise) = &arguments.abscissa_noise {
         experiments[0].abscissa_noise = abscissa_noise(noise, arguments.kind)?;
@@ -340,12 +345,8 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
 fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
     let (measurement, of) = (&made.measurement, &made.indentation);
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let words = env::args_os().skip(1);
-    let command: Vec<String> = words
-        .map(|word| quoted(word.display().to_string()))
-        .collect();
-    let command = printable::line(&command.join(" "));
-    let note = format!("# Synthetic, not measured. SI units.\n# tabulate {command}\n");
+    let (by, command) = (created_by(), command_line());
+    let note = format!("# Synthetic, not measured, by {by}. SI units.\n# {command}\n");
     let has_segments = measurement
         .points
         .iter()
@@ -368,16 +369,6 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
     let mut bytes = note.into_bytes();
     bytes.extend(writer.into_inner()?);
     Ok(bytes)
-}
-
-/// Returns a word of a command as a shell reads it back.
-fn quoted(word: String) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "-_./=:,+@%^".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word
-    } else {
-        format!("'{}'", word.replace('\'', "'\\''"))
-    }
 }
 
 /// Returns the JSON object of expected errors.

@@ -173,7 +173,7 @@ pub struct Arguments {
     units: Vec<UnitOf>,
     /// Print a JSON object in SI units instead of the report
     ///
-    /// {"read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
+    /// {"created_by": program and version, "command", "read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
     /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",

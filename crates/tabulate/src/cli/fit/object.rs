@@ -9,7 +9,9 @@ use ::fit::{
 use serde_json::{Value, json};
 
 use super::reading::told;
+use crate::cli::command_line::command_line;
 use crate::cli::json::number;
+use crate::table::scene::created_by;
 
 /// Returns the object of a fit.
 pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
@@ -37,6 +39,8 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
     let of_relaxation =
         |fitted: &FittedExperiment, own: &Experiment| relaxation(fitted, own).into();
     let object = json!({
+        "created_by": created_by(),
+        "command": command_line(),
         "read": read.collect::<Vec<_>>(),
         "converged": fit.converged,
         "parameters": estimates(&fit.estimates, files),
