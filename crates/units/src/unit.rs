@@ -135,8 +135,8 @@ impl Unit {
     }
 }
 
-/// Returns an angle, a time, or the force of a mass under standard gravity, which a balance shows. Other
-/// prefixes of a time would make units of the ends of words.
+/// Returns an angle, a time, a unit of older papers, or the force of a mass under standard gravity, which a balance
+/// shows. Other prefixes of a time would make units of the ends of words.
 pub(crate) fn special(text: &str) -> Option<Unit> {
     let (dimension, size) = match text.trim() {
         "rad" => (Dimension::Angle, 1.0),
@@ -150,6 +150,10 @@ pub(crate) fn special(text: &str) -> Option<Unit> {
         "g" | "gf" => (Dimension::Force, 9.80665e-3),
         "mg" | "mgf" => (Dimension::Force, 9.80665e-6),
         "kg" | "kgf" => (Dimension::Force, 9.80665),
+        "dyn" | "dyne" | "dynes" => (Dimension::Force, 1e-5),
+        "dyn/cm" | "erg/cm^2" | "erg/cm2" | "erg/cm\u{b2}" => (Dimension::ForcePerLength, 1e-3),
+        "dyn/cm^2" | "dyn/cm2" | "dyn/cm\u{b2}" => (Dimension::Modulus, 0.1),
+        "psi" => (Dimension::Modulus, 6894.757293168361),
         _ => return None,
     };
     Some(Unit { dimension, size })
@@ -302,6 +306,11 @@ mod tests {
             ("g", Dimension::Force, 9.80665e-3),
             ("mg", Dimension::Force, 9.80665e-6),
             ("kgf", Dimension::Force, 9.80665),
+            ("dyn", Dimension::Force, 1e-5),
+            ("dyn/cm", Dimension::ForcePerLength, 1e-3),
+            ("erg/cm\u{b2}", Dimension::ForcePerLength, 1e-3),
+            ("dyn/cm^2", Dimension::Modulus, 0.1),
+            ("psi", Dimension::Modulus, 0.45359237 * 9.80665 / (0.0254 * 0.0254)),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {
@@ -309,7 +318,7 @@ mod tests {
         }
         for text in [
             "", "x", "NM", "as", "N/s", "1", "measured", "a", "micro", "gpa", "J", "J/m", "m/",
-            "/m", "m/V^2", "N/m/m", "N m", "N -1",
+            "/m", "m/V^2", "N/m/m", "N m", "N -1", "bar",
         ] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }
