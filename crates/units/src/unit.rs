@@ -310,7 +310,11 @@ mod tests {
             ("dyn/cm", Dimension::ForcePerLength, 1e-3),
             ("erg/cm\u{b2}", Dimension::ForcePerLength, 1e-3),
             ("dyn/cm^2", Dimension::Modulus, 0.1),
-            ("psi", Dimension::Modulus, 0.45359237 * 9.80665 / (0.0254 * 0.0254)),
+            (
+                "psi",
+                Dimension::Modulus,
+                0.45359237 * 9.80665 / (0.0254 * 0.0254),
+            ),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {

@@ -116,10 +116,10 @@ fn pip() -> Command {
 }
 
 /// Runs a command of Python. An error says what it needs.
-fn run(python: &mut Command) -> Result<(), String> {
+pub fn run(python: &mut Command) -> Result<(), String> {
     succeed(python).map_err(|error| {
         format!(
-            "{error}; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
+            "{error}; it needs python3 >= 3.11 with pip (Debian: python3-pip) and PyPI within reach"
         )
     })
 }

@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{python, succeed};
+use crate::python;
 
 /// The packages that build and test the Python package, that read tables as others do, that benches compare with, and
 /// that make the site: Sphinx, its reader of Markdown, its theme, and the formulas.
@@ -48,7 +48,7 @@ pub fn interpreter() -> Result<PathBuf, String> {
     let name = format!("venv-{:016x}", hasher.finish());
     let folder = python::fetched(&name, &PACKAGES.join(" "), |folder| {
         // The pip of python3 fills it. One of its own takes longer to install than most packages.
-        succeed(
+        python::run(
             Command::new("python3")
                 .args(["-m", "venv", "--without-pip"])
                 .arg(folder),
