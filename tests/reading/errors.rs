@@ -4,7 +4,7 @@ use acceptance::Refused;
 use fit::Kind;
 use fit::data::{Format, Remedy};
 
-use crate::{named, of_kind, read, rows, with};
+use crate::{named, of_kind, read, rows, sound, with};
 
 /// Asserts that a text is refused with these words.
 #[track_caller]
@@ -144,6 +144,36 @@ fn a_length_is_offered_only_as_what_it_can_be() {
         });
         assert_eq!(ways.collect::<Vec<_>>().join(", "), expected, "{error}");
     }
+}
+
+/// A name does not make a radius of a diameter, nor a load of what its heading says to be a load over a radius.
+#[test]
+fn a_column_is_not_what_its_heading_denies() {
+    let text = "contact diameter 2a (um),F/R (mN/m),Area\n1,2,3\n2,3,4\n";
+    for (column, words) in [
+        (
+            "contact_radius=contact diameter 2a (um)",
+            "diameter; not the contact radius; half",
+        ),
+        ("contact_radius=1", "diameter; not the contact radius; half"),
+        (
+            "load=F/R (mN/m)",
+            "F/R (mN/m); not a force; times the radius",
+        ),
+        (
+            "load=F/R (mN/m) [mN]",
+            "F/R (mN/m); not a force; times the radius",
+        ),
+        ("load=F/R [mN]", "F/R (mN/m); not a force; times the radius"),
+        ("load=2 [mN]", "F/R (mN/m); not a force; times the radius"),
+        ("contact_radius=Area [um]", "Area; not the contact radius"),
+    ] {
+        refused(text, &named(&[column]), words);
+    }
+    sound(
+        "Area,Load (mN)\n1,2\n2,3\n",
+        &named(&["contact_area=Area [um^2]"]),
+    );
 }
 
 #[test]

@@ -138,17 +138,28 @@ impl Heading {
             let rest = word.trim_start_matches(is_digit);
             rest.len() == 1 || rest.contains(is_digit)
         };
-        let is_other = |word: &str| {
-            OTHERS.contains(&word)
-                || OTHER_PARTS.iter().any(|part| word.contains(part))
-                || word.starts_with(is_digit) && is_multiple(word)
+        let is_factor = |word: &str| {
+            word.starts_with(is_digit) && is_multiple(word)
                 || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
         };
-        let is_area = self.name == "surface" || self.name.starts_with("surface de contact");
         self.reduced().is_none()
-            && (is_area
+            && (self.names_another()
                 || self.text.contains(['^', '*', '\u{d7}', '\u{b2}'])
-                || self.name.split(' ').any(is_other))
+                || self.name.split(' ').any(is_factor))
+    }
+
+    /// Tells whether a word says so: `contact diameter`, `area`.
+    pub fn names_another(&self) -> bool {
+        let is_other = |word: &str| {
+            OTHERS.contains(&word) || OTHER_PARTS.iter().any(|part| word.contains(part))
+        };
+        let is_area = self.name == "surface" || self.name.starts_with("surface de contact");
+        is_area || self.name.split(' ').any(is_other)
+    }
+
+    /// Returns the unit that stands in brackets.
+    pub fn unit_in_brackets(&self) -> Option<Unit> {
+        bracketed_unit(&self.text).1
     }
 
     /// Returns the length that the text names, if it is one that differs.

@@ -86,7 +86,33 @@ impl Columns<'_> {
     /// Returns the column that the user names.
     pub(super) fn named(&self, column: &Column) -> Result<Named, DataError> {
         let wanted = Heading::parse(&column.heading);
-        let Some(index) = unique(column.role, &self.places(column, &wanted))? else {
+        let place = unique(column.role, &self.places(column, &wanted))?;
+        // What is typed may be the heading with another unit behind it.
+        let begins = |heading: &Heading| {
+            heading.name == wanted.name
+                || !heading.text.is_empty() && column.heading.starts_with(&heading.text)
+        };
+        let meant = place.or_else(|| self.headings.iter().position(begins));
+        if let Some(heading) = meant.map(|index| &self.headings[index]) {
+            let of_another = |unit: &Unit| !column.role.accepts(*unit);
+            let what = if heading.unit_in_brackets().as_ref().is_some_and(of_another) {
+                column.role.dimension().to_string()
+            } else if heading.names_another() && column.role != Role::ContactArea {
+                format!("the {} itself", column.role.name().replace('_', " "))
+            } else {
+                String::new()
+            };
+            if !what.is_empty() {
+                return Err(DataError::new(format!(
+                    "the column {:?} is named as {}, and by its heading its numbers are not {what}: convert them in the \
+                     file (the radius is half of a diameter; a load over a radius times the radius is a load), and write \
+                     what they are in the heading",
+                    heading.text,
+                    column.role.name()
+                )));
+            }
+        }
+        let Some(index) = place else {
             let unknown = DataError::new(format!(
                 "no column is {:?}, named as {}; the columns are {}",
                 column.heading,

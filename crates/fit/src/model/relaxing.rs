@@ -6,7 +6,7 @@ use interp::{Elastic, Table};
 use super::differences::ContactOf;
 use super::predicted::Predicted;
 use super::program::Program;
-use super::{Branch, Experiment, Parameter};
+use super::{Branch, Experiment, Kind, Parameter};
 use crate::Error;
 use crate::statistics::range;
 
@@ -50,6 +50,12 @@ const FALLS: f64 = 0.1;
 const MOST_TERMS: usize = 50;
 
 impl Experiment {
+    /// Tells whether a relaxation function could be fitted, and none is: loads at penetrations or heights in time.
+    pub fn may_relax(&self) -> bool {
+        let loads = [Kind::LoadPenetration, Kind::ForceHeight].contains(&self.measurement.kind);
+        loads && self.relaxing.is_none() && !self.times.is_empty()
+    }
+
     /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
     pub(super) fn why_not_relaxing(&self, parameter: Parameter) -> Option<&'static str> {
         let adhesive = parameter.is_work_of_adhesion();

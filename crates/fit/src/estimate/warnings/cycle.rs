@@ -14,7 +14,7 @@ use super::hold;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, Parameter, Warning, WarningKind};
+use crate::{Branch, Experiment, Kind, Warning, WarningKind};
 
 /// The load at which the penetrations of loading and unloading are compared for what remains, over
 /// the largest load: the smallest that both reach, at least the first and at most the second.
@@ -70,11 +70,22 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
         String::new()
     };
     let size = format!("{:.2e} J{part}{at_half}", cycle.energy.abs());
-    if experiment.relaxing.is_some() {
+    let two_works = experiment.work_of_adhesion_receding.is_some();
+    let loop_of_model = if experiment.relaxing.is_some() {
+        Some(("the fitted relaxation function", "fit another one"))
+    } else if two_works && cycle.energy < 0.0 {
+        Some((
+            "the two works of adhesion",
+            "the adhesion of one way differs from point to point, as where it depends on the speed of the contact line, or \
+             the zeros are wrong",
+        ))
+    } else {
+        None
+    };
+    if let Some((model, step)) = loop_of_model {
         let which = if cycle.energy < 0.0 { "less" } else { "more" };
         return Some(vec![WarningKind::Hysteresis.with(format!(
-            "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
-             function, by {size}: fit another one"
+            "{name}: between loading and unloading the data lose {which} energy than {model}, by {size}: {step}"
         ))]);
     }
     if cycle.energy < 0.0 {
@@ -84,7 +95,6 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
         ))]);
     }
     let has_directions = experiment.measurement.points[0].direction.is_some();
-    let is_free = experiment.get(Parameter::WorkOfAdhesionReceding).is_some();
     let cause = levels.map_or_else(
         || "hysteresis: viscous, of the adhesion, or plastic".to_owned(),
         |[one, other]| {
@@ -94,7 +104,7 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
             )
         },
     );
-    let step = match (has_directions, is_free || levels.is_some()) {
+    let step = match (has_directions, two_works || levels.is_some()) {
         (_, true) => "",
         (true, false) => {
             "free the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the reason, or "
@@ -107,10 +117,10 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let mut doubts = vec![WarningKind::Hysteresis.with(format!(
         "{name}: between loading and unloading lies a loop that the fitted model does not \
          make, of {size} ({cause}); {step}fit one direction alone{}",
-        if experiment.times.is_empty() {
-            ""
-        } else {
+        if experiment.may_relax() {
             "; the points have times: if the film relaxes, fit a relaxation function with them"
+        } else {
+            ""
         }
     ))];
     if let Some([depth, largest]) = remaining(assigned, &ways) {

@@ -354,22 +354,24 @@ fn outliers(
 ) {
     let experiments = fit.experiments.iter().zip(data).zip(unequal);
     for ((fitted, whole), unequal) in experiments {
-        let remedy = if *unequal || loss != Loss::Squares {
-            ""
-        } else {
-            "; a robust loss gives them less weight"
-        };
         let far = fitted.points.iter().filter(|point| point.outlier);
         let far: Vec<u64> = far.map(|point| point.line).collect();
         if far.is_empty() {
             continue;
         }
         let counting = fitted.points.iter().filter(|point| point.fit.is_some());
+        let counting = counting.count();
+        // Where many points are far off, the model is wrong and not the points.
+        let remedy = if *unequal || loss != Loss::Squares || far.len() > counting / 4 {
+            ""
+        } else {
+            "; a robust loss gives them less weight"
+        };
         warnings.push(WarningKind::Outliers.with(format!(
             "{}: {} of {} points are far from the fit, in {}{remedy}",
             fitted.name,
             far.len(),
-            counting.count(),
+            counting,
             whole.experiment.measurement.numbering.names(&far)
         )));
     }

@@ -74,10 +74,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let applies = |kind: WarningKind| fit.warns_of(kind) && !(relaxes && is_loop(kind));
     let laws = "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
          fractional-zener (see `tabulate fit --help`)";
-    let timed = experiments
-        .iter()
-        .any(|one| !one.times.is_empty() && one.relaxing.is_none());
-    let may_relax = applies(WarningKind::Relaxes) || timed && applies(WarningKind::Hysteresis);
+    let timed = || experiments.iter().any(Experiment::may_relax);
+    let may_relax = applies(WarningKind::Relaxes) || applies(WarningKind::Hysteresis) && timed();
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
