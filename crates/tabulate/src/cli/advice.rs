@@ -78,6 +78,10 @@ fn commands(error: &Error) -> Option<&'static str> {
             "e1s_over_einfs is the reduced modulus of the film times the sum of the reciprocals of those of sphere and substrate; `tabulate \
              generate` makes tables, and `tabulate solve` solves without a table",
         ),
+        Error::Extrapolation { value, .. } if *value > 1.0 => Some(
+            "check first the units of film thickness and contact radius: a contact is rarely that wide beside its film; `tabulate \
+             generate` makes tables, and `tabulate solve` solves without a table",
+        ),
         Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
             Some("`tabulate generate` makes tables, and `tabulate solve` solves without a table")
         }

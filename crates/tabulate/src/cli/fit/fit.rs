@@ -297,6 +297,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         times.push(reading.times);
         notes.push(reading.notes);
     }
+    let mut abscissae: Vec<&str> = measurements.iter().map(|one| one.kind.names()[0]).collect();
+    abscissae.dedup();
+    ensure!(
+        arguments.abscissa_noise.len() != 1 || abscissae.len() == 1,
+        "--abscissa-noise is one number, and the abscissae of the files are {}: give a number for each file, separated by \
+         commas, and 0 for those that are exact",
+        abscissae.join(", ")
+    );
     let reference = measurements.split_off(arguments.data.len()).pop();
     let mut experiments = arguments.known.experiments(measurements, &times)?;
     if let Some(measurement) = reference {

@@ -89,6 +89,14 @@ impl IndentationArguments {
         let mut given = flags.into_iter().filter(|(_, is_given, _)| *is_given);
         if !kind.is_stiffness() {
             let (flag, ..) = given.next()?;
+            if flag == "--frame-compliance" && kind == Kind::LoadPenetration {
+                return Some(
+                    "--frame-compliance is for a contact stiffness. Displacements that hold the deflection of a frame or load \
+                     cell of 1 kN/m, say, are heights, which grow away from the sample: --kind force-height --stiffness 1kN/m \
+                     --column \"height=-HEADING [UNIT]\", and --free ...,contact-point"
+                        .into(),
+                );
+            }
             return Some(format!(
                 "{flag} is for a contact stiffness, and {} is measured: leave it out, or give --kind \
                  stiffness-radius, stiffness-load or stiffness-depth",

@@ -32,16 +32,16 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         ),
         (
             WarningKind::NoiseNotSeen,
-            "the noise of the ordinates: --noise 2uN, or a column of it",
+            "the noise of the ordinates: --noise SIZE, or a column of it",
         ),
         (
             WarningKind::UnequalNoise,
-            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
+            "errors of the abscissae: --abscissa-noise SIZE, beside --noise or without it; a noise that differs from \
              point to point: a column of it, such as `load error [mN]`",
         ),
         (
             WarningKind::RadiusNoise,
-            "errors of the contact radii: --radius-noise 1um, or a column of them, such as `radius error [um]`",
+            "errors of the contact radii: --radius-noise SIZE, or a column of them, such as `radius error [um]`",
         ),
         (
             WarningKind::SharedNoise,
@@ -49,7 +49,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         ),
         (
             WarningKind::ZeroNotSeen,
-            "the zero of the load: --known load-offset=0+-2nN, or --free ...,load-offset with points off contact",
+            "the zero of the load: --known load-offset=0+-ERROR, or --free ...,load-offset with points off contact",
         ),
         (
             WarningKind::PullNotSeen,
