@@ -201,3 +201,30 @@ fn an_outlier_and_a_zero_that_matters_little_are_no_more() {
         assert_silent(&fitted(&off, &probe.free), WarningKind::OffsetHinted);
     }
 }
+
+/// Penetrations that hold the deflection of a load cell, and a cantilever of another stiffness: the spring is told in
+/// place of a zero, with its stiffness. Neither is told of sound data.
+#[test]
+fn a_spring_in_series_with_the_contact_is_told() {
+    let gel = Imagined::probe(Course::Cycle, 1e-4, &FORCE_CURVE);
+    let exact = gel.exact();
+    let stiffness = gel.truth.stiffness.expect("that of a cantilever");
+    for seed in 0..10 {
+        let mut measured = gel.measured(&exact, seed);
+        assert_silent(&fitted(&measured, &gel.free), WarningKind::SpringWanted);
+        measured.stiffness = Some(1.25 * stiffness);
+        let found = fitted(&measured, &gel.free);
+        let words = format!("in place of {:.2e}; free it", 1.25 * stiffness);
+        assert_warns(&found, WarningKind::SpringWanted, &words);
+        assert_silent(&found, WarningKind::OffsetWanted);
+        // The same spring is not known to those who take the heights for penetrations.
+        measured.stiffness = None;
+        measured.measurement.kind = Kind::LoadPenetration;
+        for point in &mut measured.measurement.points {
+            point.abscissa = -point.abscissa;
+        }
+        let words = "the deflection of a spring; as heights with the stiffness";
+        let found = fitted(&measured, &gel.free);
+        assert_warns(&found, WarningKind::SpringWanted, words);
+    }
+}

@@ -348,6 +348,8 @@ named! {
         AdhesionWanted = "adhesion-wanted",
         /// A zero of the instrument that is not fitted but wanted by the data.
         OffsetWanted = "offset-wanted",
+        /// A spring in series with the contact, of the frame or of a cantilever of another stiffness, that the data want.
+        SpringWanted = "spring-wanted",
         /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
         /// its standard errors.
         OffsetHinted = "offset-hinted",

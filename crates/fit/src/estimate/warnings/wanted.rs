@@ -58,7 +58,6 @@ pub(crate) fn add(
         if experiment.measurement.kind.is_stiffness() {
             continue;
         }
-        let name = &experiment.measurement.name;
         let fitted = problem.parameters_of(e);
         if let Some(pull) = pulls[e] {
             // The zeros of the instrument would make up for it, and are not named.
@@ -68,50 +67,67 @@ pub(crate) fn add(
         let is_wanted = |parameter: &Parameter| {
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
-        let mut level_named = false;
-        for parameter in Parameter::ZEROS.into_iter().filter(is_wanted) {
-            let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
-            if is_level && level_named {
-                continue;
-            }
-            let Some((gain, column)) = score.gain_of(e, parameter, |_| true) else {
-                continue;
-            };
-            // What adhesion explains better is no zero of the instrument.
-            if gain.significance < explained {
-                continue;
-            }
-            if gain.is_significant() {
-                level_named |= is_level;
-                warnings.push(WarningKind::OffsetWanted.with(format!(
-                    "{name}: {parameter} is not fitted, but the data want it: it would lower \
-                     chi^2 by {:.0}, and be {:+.2e} {}; free it",
-                    gain.chi_squared,
-                    gain.change,
-                    parameter.unit()
-                )));
-            } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
-                let changes = uncertainty.changes_in_errors(&(column * gain.change));
-                let found = problem.slots.iter().zip(changes);
-                let most = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
-                if let Some((slot, change)) = most
-                    && change.abs() > MISLED
-                {
-                    level_named |= is_level;
-                    warnings.push(WarningKind::OffsetHinted.with(format!(
-                        "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
-                         standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
-                        gain.change,
-                        parameter.unit(),
-                        gain.significance.sqrt(),
-                        slot.parameter,
-                        change
-                    )));
-                }
-            }
+        let zeros = Parameter::ZEROS.into_iter().filter(is_wanted);
+        if let Some(spring) = score.spring(e, zeros.clone(), explained) {
+            warnings.push(spring);
+        } else {
+            zeros_wanted(warnings, &score, e, zeros, explained);
         }
         if !fitted.contains(&Parameter::WorkOfAdhesionReceding) {
             warnings.extend(score.mixed(e));
+        }
+    }
+}
+
+/// Warns of each of these zeros of experiment `e` that the data want or hint at, unless adhesion explains the data better.
+fn zeros_wanted(
+    warnings: &mut Vec<Warning>,
+    score: &Score<'_>,
+    e: usize,
+    zeros: impl Iterator<Item = Parameter>,
+    explained: f64,
+) {
+    let name = &score.problem.assigned[e].experiment.measurement.name;
+    let mut level_named = false;
+    for parameter in zeros {
+        let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
+        if is_level && level_named {
+            continue;
+        }
+        let Some((gain, column)) = score.gain_of(e, parameter, |_| true) else {
+            continue;
+        };
+        // What adhesion explains better is no zero of the instrument.
+        if gain.significance < explained {
+            continue;
+        }
+        if gain.is_significant() {
+            level_named |= is_level;
+            warnings.push(WarningKind::OffsetWanted.with(format!(
+                "{name}: {parameter} is not fitted, but the data want it: it would lower \
+                 chi^2 by {:.0}, and be {:+.2e} {}; free it",
+                gain.chi_squared,
+                gain.change,
+                parameter.unit()
+            )));
+        } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
+            let changes = score.uncertainty.changes_in_errors(&(column * gain.change));
+            let found = score.problem.slots.iter().zip(changes);
+            let most = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
+            if let Some((slot, change)) = most
+                && change.abs() > MISLED
+            {
+                level_named |= is_level;
+                warnings.push(WarningKind::OffsetHinted.with(format!(
+                    "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
+                     standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
+                    gain.change,
+                    parameter.unit(),
+                    gain.significance.sqrt(),
+                    slot.parameter,
+                    change
+                )));
+            }
         }
     }
 }
@@ -314,6 +330,59 @@ impl<'a> Score<'a> {
             gain.change
         };
         explains.then_some((gain, work))
+    }
+
+    /// Warns of a spring in series with the contact that explains the data of experiment `e` better than each of these zeros
+    /// and than adhesion, of which the significance is given: the frame, the load cell, or a cantilever of another
+    /// stiffness. Its compliance moves the contact point in proportion to the load.
+    fn spring(
+        &self,
+        e: usize,
+        zeros: impl Iterator<Item = Parameter>,
+        explained: f64,
+    ) -> Option<Warning> {
+        let own = &self.problem.assigned[e];
+        let experiment = &own.experiment;
+        let measurement = &experiment.measurement;
+        let given = match measurement.kind {
+            Kind::LoadPenetration => None,
+            Kind::ForceHeight
+                if self
+                    .problem
+                    .parameters_of(e)
+                    .contains(&Parameter::Stiffness) =>
+            {
+                return None;
+            }
+            Kind::ForceHeight => experiment.stiffness,
+            _ => return None,
+        };
+        let mut column = column(self.problem, e, Parameter::ContactPoint, |_| true)?;
+        let predicted = self.problem.predict(e, &[]).ok()?.values;
+        let rows = self.problem.rows_of_experiments()[e].clone();
+        for (row, i) in rows.zip(own.counting_points()) {
+            column[row] *= predicted[i] - experiment.baseline_at(measurement.points[i].abscissa);
+        }
+        let gain = self.gain(&column)?;
+        let compliance = given.map_or(0.0, f64::recip) + gain.change;
+        let gains = zeros.filter_map(|zero| self.gain_of(e, zero, |_| true));
+        let of_zeros = gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max);
+        let is_best = gain.chi_squared > of_zeros && gain.significance > explained;
+        if !(gain.is_significant() && is_best && compliance > 0.0) {
+            return None;
+        }
+        let (name, stiffness, gain) = (&measurement.name, 1.0 / compliance, gain.chi_squared);
+        Some(WarningKind::SpringWanted.with(match given {
+            None => format!(
+                "{name}: the penetrations seem to hold the deflection of a spring of some {stiffness:.1e} N/m in series with \
+                 the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
+                 load/stiffness from the penetrations, or fit them as heights with the stiffness"
+            ),
+            Some(given) => format!(
+                "{name}: a stiffness of some {stiffness:.2e} N/m in place of {given:.2e} would lower chi^2 by {gain:.0}, \
+                 more than any zero: check it, or free it (stiffness)"
+            ),
+        }))
     }
 
     /// Warns if approach and retract, or loading and unloading in time, differ.

@@ -52,6 +52,11 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             "the zero of the load: --known load-offset=0+-ERROR, or --free ...,load-offset with points off contact",
         ),
         (
+            WarningKind::SpringWanted,
+            "positions of a stage beside a load cell or frame: --kind force-height --stiffness 1kN/m, its stiffness, --column \
+             \"height=-HEADING [UNIT]\", and --free ...,contact-point; a stiffness that is not known: --free ...,stiffness",
+        ),
+        (
             WarningKind::PullNotSeen,
             "without adhesion: --work-of-adhesion 0",
         ),
