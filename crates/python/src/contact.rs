@@ -232,6 +232,31 @@ impl Contact {
         points.evaluate([&a], |[a]| self.contact.stiffness(a).map(alone))
     }
 
+    fn energy_release_rate_at_load<'py>(
+        &self,
+        points: Points<'py>,
+        a: Input<'_>,
+        load: Input<'_>,
+    ) -> Outputs<'py, 1> {
+        points.evaluate([&a, &load], |[a, load]| {
+            self.contact.energy_release_rate_at_load(a, load).map(alone)
+        })
+    }
+
+    fn energy_release_rate_at_penetration<'py>(
+        &self,
+        points: Points<'py>,
+        a: Input<'_>,
+        penetration: Input<'_>,
+    ) -> Outputs<'py, 1> {
+        points.evaluate([&a, &penetration], |[a, penetration]| {
+            let found = self
+                .contact
+                .energy_release_rate_at_penetration(a, penetration);
+            found.map(alone)
+        })
+    }
+
     /// Returns the fields of `::contact::Validity` by their names, those of a film among them, which are
     /// NaN on a half-space, and under `neglected` whether each effect is neglected though it matters.
     fn validity<'py>(

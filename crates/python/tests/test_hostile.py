@@ -166,6 +166,12 @@ FUNCTIONS = {
     "Contact.work_of_adhesion_at_pull_off": on_film(
         [-1e-6], cc.Contact.work_of_adhesion_at_pull_off
     ),
+    "Contact.energy_release_rate at loads": on_film(
+        [65e-6, -1e-6], lambda c, a, f: c.energy_release_rate(a, load=f)
+    ),
+    "Contact.energy_release_rate at penetrations": on_film(
+        [65e-6, 1e-6], lambda c, a, d: c.energy_release_rate(a, penetration=d)
+    ),
     "Contact.equilibria": on_film([0.04, 1e-4], lambda c, w, f: stated(c.equilibria(w).at(f))),
     "Contact.force_displacement": on_film(
         [0.04, 1e-6, 5.0],

@@ -43,6 +43,22 @@ def test_a_line_of_one_energy_is_the_contact(jkr, control):
     assert line.impose(control, value) is None  # it does not form again
 
 
+def test_measured_contacts_tell_their_energy_release_rate(jkr):
+    a, load = np.array([3e-5, 6e-5, 9e-5]), np.array([-2e-4, 0.0, 3e-4])
+    hertz = 4 * MODULUS * a**3 / (3 * RADIUS)
+    expected = np.sign(hertz - load) * (hertz - load) ** 2 / (8 * pi * MODULUS * a**3)
+    assert jkr.energy_release_rate(a, load=load) == pytest.approx(expected, rel=1e-12)
+    contact = cc.Table.embedded().contact(make_system())
+    for w in (1e-3, 0.04):
+        loads, depths = contact.load_and_penetration(a, w)
+        for known in ({"load": loads}, {"penetration": depths}):
+            assert contact.energy_release_rate(a, **known) == pytest.approx(w, rel=1e-9)
+    assert np.isnan(jkr.energy_release_rate([-1.0, 3e-5], load=0.0, errors="nan"))[0]
+    refuses(TypeError, "load or penetration", lambda: jkr.energy_release_rate(a))
+    both = {"load": 0.0, "penetration": 0.0}
+    refuses(TypeError, "load or penetration", lambda: jkr.energy_release_rate(a, **both))
+
+
 def test_hysteresis_pins_the_line(jkr):
     law = cc.Hysteresis(advancing=0.03, receding=0.05)
     line = jkr.line(law, 50e-6)

@@ -319,6 +319,66 @@ class Contact(Native):
         )
         return scalar_or_array(work)
 
+    def energy_release_rate(
+        self,
+        a: ArrayLike,
+        *,
+        load: ArrayLike | None = None,
+        penetration: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> float | Array:
+        """Return the energy release rate G of measured contact radii, with their loads or penetrations.
+
+        It is the work of adhesion of a contact in equilibrium. Along radii in time it shows how
+        adhesion depends on the speed of the contact line (:class:`RateDependent`).
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m, that the probe can have: below the radius of a sphere.
+        load, penetration : array_like
+            The load, N, or the penetration, m: one of the two.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            G, J/m^2; below 0 where the contact is pressed more than without adhesion.
+
+        Raises
+        ------
+        TypeError
+            Without load and penetration, or with both.
+        OutsideTableError
+            Where the table does not cover a/t.
+        InputError
+            For an ``a`` that is not below the radius of the sphere, ``a`` <= 0, infinity, or NaN.
+
+        Examples
+        --------
+        >>> from coated_contact import Contact, Elastic, HalfSpace
+        >>> film = Elastic(young_modulus=3e6, poisson_ratio=0.5)
+        >>> bodies = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=film)
+        >>> contact = Contact.half_space(bodies)
+        >>> round(contact.energy_release_rate(1e-4, load=contact.load(1e-4, 0.05)), 12)
+        0.05
+        """
+        if (load is None) == (penetration is None):
+            raise TypeError("give load or penetration, one of the two")
+        if load is not None:
+            (rate,) = evaluate(
+                self._native.energy_release_rate_at_load, errors, contact_radius=a, load=load
+            )
+        else:
+            (rate,) = evaluate(
+                self._native.energy_release_rate_at_penetration,
+                errors,
+                contact_radius=a,
+                penetration=penetration,
+            )
+        return scalar_or_array(rate)
+
     def equilibria(self, w: float, *, control: Control = "load") -> Equilibria:
         """Return the equilibria with one work of adhesion under one control.
 

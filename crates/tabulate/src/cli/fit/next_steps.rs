@@ -5,8 +5,10 @@ use ::fit::{Experiment, Fit, Parameter, WarningKind};
 /// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
 const WAYS: [&str; 2] = [
     "loading and unloading that differ: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
-     (points without a direction: --segments split)",
-    "loading and unloading that differ: --only approach, or --only retract (points without a direction: --segments split)",
+     (points without a direction: --segments split); each way tells the work of adhesion of its own contact line, which may \
+     also depend on its speed",
+    "loading and unloading that differ: --only approach, or --only retract (points without a direction: --segments split); \
+     each way tells the work of adhesion of its own contact line, which may also depend on its speed",
 ];
 
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
