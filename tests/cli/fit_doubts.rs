@@ -191,7 +191,7 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
     lens(&workdir);
     let fit = "--film-thickness 3e-5 --specimen paper";
     let report = workdir.succeed(format!("fit data.csv {fit} --radius-noise 3e-7"));
-    let words = "the noise of the load is estimated; the noise of the ordinates: --noise 2uN";
+    let words = "the noise of the load is estimated; the noise of the ordinates: --noise SIZE";
     assert_names(&report, words);
     let text = workdir.text("data.csv");
     let clipped: String = text

@@ -88,7 +88,7 @@ fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
     let fit = |more: &str| -> Value {
         let known = without("--sphere-modulus --work-of-adhesion --film-thickness");
         let arguments = "fit lens.csv --json --film-thickness 30um";
-        workdir.json(format!("{arguments} {known} {more}"))
+        workdir.found(format!("{arguments} {known} {more}"))
     };
     let found = fit("");
     assert_close(number(&found, "parameters/sphere_modulus/value"), 2e6, 0.02);
@@ -104,7 +104,7 @@ fn the_specimen_of_the_paper_stands_in_where_it_is_asked_for() {
     let workdir = measured();
     let fit = |known: &str| {
         let arguments = "fit lens.csv --json --film-thickness 30um";
-        workdir.succeed(format!("{arguments} {known}"))
+        workdir.found(format!("{arguments} {known}"))
     };
     let all = without("--film-thickness --sphere-modulus --work-of-adhesion");
     assert_eq!(fit("--specimen paper"), fit(&all));

@@ -57,7 +57,7 @@ fn a_fit_takes_units_in_every_setting() {
     let workdir = workdir!();
     let lens = shipped("../crates/fit/data/lens.csv");
     let fit = format!("fit {} --specimen paper --json", lens.display());
-    let fit = |settings: &str| workdir.succeed(format!("{fit} {settings}"));
+    let fit = |settings: &str| workdir.found(format!("{fit} {settings}"));
     let free = "--free sphere-modulus,film-thickness,work-of-adhesion";
     let si = format!(
         "{free} --film-thickness 3e-5 --noise 2e-6 --bounds sphere-modulus=1e5..1e8 --prior film-thickness=3e-5+-1e-6 \

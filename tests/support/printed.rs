@@ -13,6 +13,14 @@ impl Workdir {
         json(&text)
     }
 
+    /// Runs a fit as [`Workdir::json`] does, and returns its object without the command.
+    pub fn found(&self, args: impl AsRef<str>) -> Value {
+        let mut found = self.json(args);
+        let fields = found.as_object_mut().expect("an object");
+        fields.remove("command").expect("the command of a fit");
+        found
+    }
+
     /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints, which
     /// must be CSV.
     pub fn csv(&self, args: impl AsRef<str>) -> Data {

@@ -327,7 +327,7 @@ class Contact(Native):
         penetration: ArrayLike | None = None,
         errors: Errors = "raise",
     ) -> float | Array:
-        """Return the energy release rate G of measured contact radii, with their loads or penetrations.
+        """Return the energy release rate G of measured contact radii and loads or penetrations.
 
         It is the work of adhesion of a contact in equilibrium. Along radii in time it shows how
         adhesion depends on the speed of the contact line (:class:`RateDependent`).
@@ -364,19 +364,15 @@ class Contact(Native):
         >>> round(contact.energy_release_rate(1e-4, load=contact.load(1e-4, 0.05)), 12)
         0.05
         """
-        if (load is None) == (penetration is None):
-            raise TypeError("give load or penetration, one of the two")
-        if load is not None:
-            (rate,) = evaluate(
-                self._native.energy_release_rate_at_load, errors, contact_radius=a, load=load
-            )
+        native = self._native
+        if load is not None and penetration is None:
+            at_load = native.energy_release_rate_at_load
+            (rate,) = evaluate(at_load, errors, contact_radius=a, load=load)
+        elif penetration is not None and load is None:
+            at = native.energy_release_rate_at_penetration
+            (rate,) = evaluate(at, errors, contact_radius=a, penetration=penetration)
         else:
-            (rate,) = evaluate(
-                self._native.energy_release_rate_at_penetration,
-                errors,
-                contact_radius=a,
-                penetration=penetration,
-            )
+            raise TypeError("give load or penetration, one of the two")
         return scalar_or_array(rate)
 
     def equilibria(self, w: float, *, control: Control = "load") -> Equilibria:
