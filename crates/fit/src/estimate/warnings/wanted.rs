@@ -341,6 +341,8 @@ impl<'a> Score<'a> {
         zeros: impl Iterator<Item = Parameter>,
         explained: f64,
     ) -> Option<Warning> {
+        /// What the spring explains of the sum of squares beyond the noise, at least.
+        const EXPLAINED: f64 = 0.7;
         let own = &self.problem.assigned[e];
         let experiment = &own.experiment;
         let measurement = &experiment.measurement;
@@ -359,15 +361,19 @@ impl<'a> Score<'a> {
         };
         let mut column = column(self.problem, e, Parameter::ContactPoint, |_| true)?;
         let predicted = self.problem.predict(e, &[]).ok()?.values;
-        let rows = self.problem.rows_of_experiments()[e].clone();
-        for (row, i) in rows.zip(own.counting_points()) {
+        let rows = &self.problem.rows_of_experiments()[e];
+        for (row, i) in rows.clone().zip(own.counting_points()) {
             column[row] *= predicted[i] - experiment.baseline_at(measurement.points[i].abscissa);
         }
         let gain = self.gain(&column)?;
         let compliance = given.map_or(0.0, f64::recip) + gain.change;
         let gains = zeros.filter_map(|zero| self.gain_of(e, zero, |_| true));
         let of_zeros = gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max);
-        let is_best = gain.chi_squared > of_zeros && gain.significance > explained;
+        // A spring is no answer to a model that is wrong otherwise.
+        let noise = (own.seen_noise() / own.noise).powi(2) * rows.len() as f64;
+        let sum = self.residuals.rows(rows.start, rows.len()).norm_squared();
+        let explains = gain.chi_squared > EXPLAINED * (sum - noise);
+        let is_best = explains && gain.chi_squared > of_zeros && gain.significance > explained;
         if !(gain.is_significant() && is_best && compliance > 0.0) {
             return None;
         }
