@@ -8,7 +8,11 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::{python, selection, workspace};
+use crate::{python, workspace};
+
+/// The package of the program `tabulate`, and its feature that builds libhdf5.
+pub const TABULATE: &str = "coated-contact-tabulate";
+pub const FEATURE: &str = "coated-contact-tabulate/hdf5-static";
 
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
@@ -18,20 +22,20 @@ const TOOLCHAIN: &str = "CMAKE_TOOLCHAIN_FILE";
 /// That file, from the root of the workspace, where the user names none.
 const SETTINGS: &str = "crates/xtask/src/libhdf5.cmake";
 
-/// Returns a cargo command with the feature and the environment that HDF5 needs on this machine, if
-/// it selects a member with HDF5.
+/// Returns a cargo command with the feature and the environment that HDF5 needs on this machine, unless it names other
+/// packages than [`TABULATE`] and not the whole workspace.
 pub fn cargo(args: &[&str]) -> Result<Command, String> {
     let mut command = workspace::cargo();
     let Some((subcommand, rest)) = args.split_first() else {
         return Err("no cargo command given".into());
     };
     command.arg(subcommand);
-    if !system_library()
-        && let Some(tabulate) = selection::prefix_of_features(args)?
-    {
-        command
-            .args(["--features", &format!("{tabulate}/hdf5-static")])
-            .env("CMAKE", cmake()?);
+    let names = |start: &str| args.iter().any(|arg| arg.starts_with(start));
+    let others = (names("-p") || names("--package"))
+        && !names("--workspace")
+        && !args.iter().any(|arg| arg.contains(TABULATE));
+    if !others && !system_library() {
+        command.args(["--features", FEATURE]).env("CMAKE", cmake()?);
         if env::var_os(TOOLCHAIN).is_none() {
             command.env(TOOLCHAIN, workspace::root().join(SETTINGS));
         }

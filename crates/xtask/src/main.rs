@@ -14,7 +14,6 @@ mod hdf5;
 mod licences;
 mod python;
 mod python_tests;
-mod selection;
 mod site;
 mod tables;
 mod tabulate;
@@ -47,14 +46,14 @@ usage: cargo xtask COMMAND
                  module of the workspace
   site           make the site of the documentation in target/site/
   dist           make all artefacts of a release in target/dist/, and try each in an empty environment; takes long
-  dist --check   check the metadata of a release, and print its packages in order
+  dist --check   check the metadata of a release
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes; compiles all crates with other options first, which takes minutes
   compare --small
                  run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
   tools          fetch from PyPI now what tests, comparisons and the site would fetch when they run
-  cargo ARGS     run a cargo command, with HDF5 set up where it builds tabulate: `cargo xtask cargo bench -p coated-contact-tabulate`
+  cargo ARGS     run a cargo command, with HDF5 set up where it selects the whole workspace or tabulate: `cargo xtask cargo bench -p coated-contact-tabulate`
 ";
 
 fn main() -> ExitCode {

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{bom, metadata, packages, trial, zig};
-use crate::{selection, succeed, wheel, workspace};
+use super::{bom, metadata, trial, zig};
+use crate::{hdf5, succeed, wheel, workspace};
 
 /// The version of the release.
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -15,16 +15,10 @@ pub(super) const C: &str = "coated-contact-c";
 pub(super) const STATIC: &str = "x86_64-unknown-linux-musl";
 pub(super) const OLD_LINUX: &str = "x86_64-unknown-linux-gnu";
 
-/// Checks the metadata of a release: version, citation, archive, recipe, list of what is compiled in, and
-/// the order of its packages.
+/// Checks the metadata of a release: version, citation, archive, recipe, and list of what is compiled in.
 pub fn check() -> Result<(), String> {
     metadata::check()?;
-    bom::write(&workspace::target()?.join("tools"))?;
-    println!("xtask: the packages of a release, in order:");
-    for name in packages::in_order()? {
-        println!("  {name} {VERSION}");
-    }
-    Ok(())
+    bom::write(&workspace::target()?.join("tools"))
 }
 
 /// Makes all artefacts of a release in `dist` of the target directory, and tries each.
@@ -39,13 +33,7 @@ pub fn dist() -> Result<(), String> {
     let [wheel, source] = [put(&wheel, &folder)?, put(&source, &folder)?];
     metadata::recipe_of(&source, &folder.join("recipe.yaml"))?;
 
-    let features = format!("{}/hdf5-static", selection::TABULATE);
-    let made = zig::build(
-        &zig,
-        STATIC,
-        selection::TABULATE,
-        &["--features", &features],
-    )?;
+    let made = zig::build(&zig, STATIC, hdf5::TABULATE, &["--features", hdf5::FEATURE])?;
     let program = archive(
         &folder,
         &format!("tabulate-{VERSION}-x86_64-linux"),
@@ -68,7 +56,7 @@ pub fn dist() -> Result<(), String> {
         ],
     )?;
 
-    packages::pack(&folder)?;
+    pack(&folder)?;
     bom::write(&folder)?;
     trial::all(&wheel, &source, &program, &library)?;
     succeed(
@@ -77,6 +65,28 @@ pub fn dist() -> Result<(), String> {
             .current_dir(&folder),
     )?;
     println!("xtask: the release is in {}", folder.display());
+    Ok(())
+}
+
+/// Packs the packages of Rust that crates.io gets into `crates` of a folder. Cargo compiles each from what is packed, after
+/// those that it depends on.
+fn pack(folder: &Path) -> Result<(), String> {
+    let mut names = Vec::new();
+    for package in workspace::members()? {
+        // `publish = false` is an empty list.
+        if package["publish"].is_null() {
+            names.push(package["name"].as_str().unwrap_or_default().to_owned());
+        }
+    }
+    let selected: Vec<_> = names.iter().flat_map(|name| ["-p", name]).collect();
+    succeed(&mut hdf5::cargo(
+        &[&["package", "--locked"], &selected[..]].concat(),
+    )?)?;
+    let packed = workspace::target()?.join("package");
+    let folder = workspace::make(&folder.join("crates"))?;
+    for name in names {
+        put(&packed.join(format!("{name}-{VERSION}.crate")), &folder)?;
+    }
     Ok(())
 }
 
@@ -104,7 +114,7 @@ fn archive(folder: &Path, name: &str, files: &[(PathBuf, &str)]) -> Result<PathB
 }
 
 /// Copies a file into a folder, and returns its new path.
-pub(super) fn put(file: &Path, folder: &Path) -> Result<PathBuf, String> {
+fn put(file: &Path, folder: &Path) -> Result<PathBuf, String> {
     let copy = folder.join(file.file_name().expect("a file has a name"));
     fs::copy(file, &copy).map_err(|e| at(file, &e))?;
     Ok(copy)

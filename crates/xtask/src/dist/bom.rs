@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::{C, OLD_LINUX, STATIC, VERSION, at};
 use crate::licences::{self, PYTHON};
-use crate::{python, selection, succeed};
+use crate::{hdf5, python, succeed};
 
 /// The library that checks the list against the schema of the format.
 const CYCLONEDX: &str = "cyclonedx-python-lib[json-validation]==11.12.0";
@@ -24,10 +24,10 @@ assert error is None, error
 
 /// Writes the list into a folder.
 pub fn write(folder: &Path) -> Result<(), String> {
-    let with_hdf5 = format!("{}/default,{0}/hdf5-static", selection::TABULATE);
+    let with_hdf5 = format!("{}/default,{0}/hdf5-static", hdf5::TABULATE);
     let artefacts = [
         ("library", PYTHON, "", OLD_LINUX),
-        ("application", selection::TABULATE, &with_hdf5, STATIC),
+        ("application", hdf5::TABULATE, &with_hdf5, STATIC),
         ("library", C, "", OLD_LINUX),
     ];
     let (mut components, mut dependencies) = (BTreeMap::new(), Vec::new());
