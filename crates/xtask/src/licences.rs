@@ -1,4 +1,4 @@
-//! The licences of all crates of the lock file, and the crates that nobody maintains.
+//! The licences of all crates of the lock file.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,43 +19,21 @@ const LIKE_MIT: [&str; 9] = [
     "Zlib",
 ];
 
-/// The name of everything that is in no published package.
-const TESTS: &str = "tests, benches, xtask";
-
-/// The Python package.
-const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
-/// All packages that fit.
-const FITS: &str = "coated-contact-fit, coated-contact-python, coated-contact-python/hdf5, coated-contact-tabulate/default, coated-contact-tabulate/figures";
-
-/// Crates under other licences, their licences, and the features that need them.
-const OTHERS: [(&str, &str, &str); 10] = [
-    ("approx", "Apache-2.0", FITS),
-    ("cbindgen", "MPL-2.0", TESTS),
-    ("ciborium", "Apache-2.0", TESTS),
-    ("ciborium-io", "Apache-2.0", TESTS),
-    ("ciborium-ll", "Apache-2.0", TESTS),
-    // In a file of its own, that of HDF5: as BSD-3-Clause.
-    ("hdf5-metno-src", "", "coated-contact-tabulate/hdf5-static"),
-    ("nalgebra", "Apache-2.0", FITS),
-    ("simba", "Apache-2.0", FITS),
-    ("spdx", "Apache-2.0", TESTS),
-    // Runs in the compiler only.
-    ("target-lexicon", "Apache-2.0 WITH LLVM-exception", WHEEL),
-];
-
-/// Crates that nobody maintains, with the reason to keep them.
-const UNMAINTAINED: [(&str, &str, &str); 2] = [
-    (
-        "bincode",
-        "2.0.1",
-        "RUSTSEC-2025-0141; pinned, for packed tables only, behind a checksum and limits, fuzzed",
-    ),
-    (
-        "paste",
-        "1.0.15",
-        "RUSTSEC-2024-0436; runs in the compiler only, for faer and simba",
-    ),
-];
+/// The crates under other licences, with these and the features that need them.
+///
+/// That of `hdf5-metno-src` is in a file of its own, that of HDF5: as BSD-3-Clause. `target-lexicon` runs in the compiler only.
+const OTHERS: &str = "\
+approx (Apache-2.0): fit, python, python/hdf5, tabulate/default, tabulate/figures
+cbindgen (MPL-2.0): tests, benches, xtask
+ciborium (Apache-2.0): tests, benches, xtask
+ciborium-io (Apache-2.0): tests, benches, xtask
+ciborium-ll (Apache-2.0): tests, benches, xtask
+hdf5-metno-src (): tabulate/hdf5-static
+nalgebra (Apache-2.0): fit, python, python/hdf5, tabulate/default, tabulate/figures
+simba (Apache-2.0): fit, python, python/hdf5, tabulate/default, tabulate/figures
+spdx (Apache-2.0): tests, benches, xtask
+target-lexicon (Apache-2.0 WITH LLVM-exception): python, python/hdf5
+";
 
 /// Crates by name, with their versions and licences.
 pub type Crates = BTreeMap<String, BTreeSet<(String, String)>>;
@@ -71,62 +49,28 @@ pub fn licences() -> Result<(), String> {
         "all",
     ];
     let all = crates(&whole)?;
-    let found = others(&all)?;
-    let mut needed: BTreeMap<&str, BTreeSet<String>> = found
-        .keys()
-        .map(|name| (name.as_str(), BTreeSet::new()))
-        .collect();
-    for (package, feature) in features()? {
-        let (name, tree) = if feature == NO_FEATURE {
-            (package.clone(), tree(&package, "", "all")?)
-        } else {
-            (
-                format!("{package}/{feature}"),
-                tree(&package, &feature, "all")?,
-            )
+    let licences = others(&all)?;
+    let trees = trees()?;
+    let mut found = String::new();
+    for (name, licence) in &licences {
+        let needs = trees.iter().filter(|(_, tree)| tree.contains_key(name));
+        let by: Vec<&str> = needs.map(|(feature, _)| feature.as_str()).collect();
+        let by = match &by[..] {
+            [] => "tests, benches, xtask".to_owned(),
+            by => by.join(", "),
         };
-        for (other, by) in &mut needed {
-            if tree.contains_key(*other) {
-                by.insert(name.clone());
-            }
-        }
+        found += &format!("{name} ({licence}): {by}\n");
     }
-    let stated: BTreeMap<&str, (&str, &str)> = OTHERS
-        .iter()
-        .map(|(name, licence, by)| (*name, (*licence, *by)))
-        .collect();
-    for (name, by) in &needed {
-        let by = if by.is_empty() {
-            TESTS.to_owned()
-        } else {
-            by.iter().cloned().collect::<Vec<_>>().join(", ")
-        };
-        let licence = &found[*name];
-        if stated.get(name) != Some(&(licence.as_str(), by.as_str())) {
-            return Err(format!(
-                "{name} has the licence {licence:?} and is needed by {by}: leave it out, or state this in \
-                 crates/xtask/src/licences.rs and in the README of the package"
-            ));
-        }
-        println!("{name:30} {licence:12} {by}");
-    }
-    if let Some(name) = stated.keys().find(|name| !needed.contains_key(*name)) {
+    if found != OTHERS {
         return Err(format!(
-            "{name} is gone, or has another licence: remove it from crates/xtask/src/licences.rs"
+            "the crates under other licences are no longer those of crates/xtask/src/licences.rs, but\n\n{found}\nLeave out \
+             what is new, or state this there and in the README of the package that needs it"
         ));
     }
-    for (name, version, why) in UNMAINTAINED {
-        let versions = all.get(name).into_iter().flatten();
-        if !versions.clone().any(|(found, _)| found == version) {
-            return Err(format!(
-                "{name} {version}, which nobody maintains, is gone: remove it from crates/xtask/src/licences.rs"
-            ));
-        }
-        println!("{name:30} unmaintained: {why}");
-    }
+    print!("{found}");
     println!(
         "all other {} crates have the conditions of MIT or fewer",
-        all.len() - found.len()
+        all.len() - licences.len()
     );
     Ok(())
 }
@@ -160,24 +104,24 @@ fn is_like_mit(licence: &str) -> Result<bool, String> {
 /// The crate of the Python package.
 pub const PYTHON: &str = "coated-contact-python";
 
-/// The feature of a package without any.
-const NO_FEATURE: &str = "";
-
-/// Returns the published packages of the workspace with each of their features.
-fn features() -> Result<Vec<(String, String)>, String> {
-    let mut features = Vec::new();
+/// Returns the crates that each published package needs without features, and with each of its features, by the names of
+/// both without their prefix.
+fn trees() -> Result<BTreeMap<String, Crates>, String> {
+    let mut trees = BTreeMap::new();
     for package in workspace::members()? {
         let name = package["name"].as_str().unwrap_or_default();
         // `publish = false` is an empty list. The Python package is published as a wheel.
         if package["publish"].is_array() && name != PYTHON {
             continue;
         }
-        features.push((name.to_owned(), NO_FEATURE.to_owned()));
+        let short = name.trim_start_matches("coated-contact-");
+        trees.insert(short.to_owned(), tree(name, "", "all")?);
         for feature in package["features"].as_object().into_iter().flatten() {
-            features.push((name.to_owned(), feature.0.clone()));
+            let tree = tree(name, feature.0, "all")?;
+            trees.insert(format!("{short}/{}", feature.0), tree);
         }
     }
-    Ok(features)
+    Ok(trees)
 }
 
 /// Returns the crates that a package needs with some features on a target, or on `all`.
