@@ -6,7 +6,7 @@ use interp::{Elastic, Probe, System, Table};
 use serde::{Deserialize, Serialize};
 
 use super::clock::{Timing, human};
-use crate::{COUNT, ERROR, Measurement, TIME, TOLERANCE};
+use crate::Measurement;
 
 /// The error and the time of one history at one tolerance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -28,15 +28,7 @@ pub struct Row {
     pub seconds: f64,
 }
 
-impl Measurement for Row {
-    const RANGES: &'static [(&'static str, [f64; 2])] = &[
-        ("tolerance", TOLERANCE),
-        ("points", COUNT),
-        ("error", ERROR),
-        ("stated_error", ERROR),
-        ("seconds", TIME),
-    ];
-}
+impl Measurement for Row {}
 
 /// The number of points of a history.
 const POINTS: u32 = 1001;

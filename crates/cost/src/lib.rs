@@ -25,5 +25,4 @@ pub mod solve;
 pub mod table;
 
 pub use comparison::{Changed, compare};
-pub(crate) use measurement::{COUNT, ERROR, TIME, TOLERANCE};
 pub use measurement::{Measured, Measurement, to_csv};

@@ -5,19 +5,29 @@ use serde::de::DeserializeOwned;
 
 /// A row of measurements.
 pub trait Measurement: Serialize + DeserializeOwned {
-    /// The columns of numbers, with the ranges that a summary or a figure can show. An empty field
-    /// is no number.
-    const RANGES: &'static [(&'static str, [f64; 2])];
-}
+    /// The shortest time in `seconds`.
+    const SHORTEST: f64 = 1e-12;
 
-/// The range of a time that was measured, in seconds.
-pub(crate) const TIME: [f64; 2] = [1e-12, 1e9];
-/// The range of a relative tolerance.
-pub(crate) const TOLERANCE: [f64; 2] = [1e-30, 1.0];
-/// The range of a relative error.
-pub(crate) const ERROR: [f64; 2] = [0.0, 1e30];
-/// The range of a number of bytes or solves.
-pub(crate) const COUNT: [f64; 2] = [0.0, 1e15];
+    /// Returns the range of the numbers in a column that a summary or a figure can show, by the name of the column; none for a
+    /// column where all can be shown. An empty field is no number.
+    fn range(column: &str) -> Option<[f64; 2]> {
+        let ends = |words: &[&str]| words.iter().any(|word| column.ends_with(word));
+        Some(match column {
+            "tolerance" => [1e-30, 1.0],
+            "a_over_t" => [1e-30, 1e30],
+            "axes" => [0.0, 4.0],
+            "threads" => [1.0, 1e6],
+            "max_factor" => [1.0, 1e30],
+            "time_ratio" => [0.0, 1e9],
+            "break_even_alone" | "break_even_along" => [0.0, f64::INFINITY],
+            _ if column.starts_with("saved") => [-1e15, 1e15],
+            _ if ends(&["seconds"]) => [Self::SHORTEST, 1e9],
+            _ if ends(&["solves", "bytes", "points"]) => [0.0, 1e15],
+            _ if ends(&["error", "error_estimated"]) => [0.0, 1e30],
+            _ => return None,
+        })
+    }
+}
 
 /// Rows that were measured, and the reasons for those that were not.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use interp::Material;
 use serde::{Deserialize, Serialize};
 
-use crate::{COUNT, ERROR, Measurement, TIME};
+use crate::Measurement;
 
 /// The basis of a form of lookup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,17 +48,7 @@ pub struct Row {
     pub adhesive_max_error: Option<f64>,
 }
 
-impl Measurement for Row {
-    const RANGES: &'static [(&'static str, [f64; 2])] = &[
-        ("seconds", TIME),
-        ("points", COUNT),
-        ("median_error", ERROR),
-        ("max_error", ERROR),
-        ("max_factor", [1.0, 1e30]),
-        ("adhesive_median_error", ERROR),
-        ("adhesive_max_error", ERROR),
-    ];
-}
+impl Measurement for Row {}
 
 /// The number of points that are solved directly at each tolerance, for their times and errors.
 /// Times differ by a factor of a thousand, so the mean of fewer would not be reliable.

@@ -6,10 +6,10 @@ use interp::{Material, Quantities};
 use serde::{Deserialize, Serialize};
 use solve::solve;
 
+use crate::Measurement;
 use crate::clock::Timing;
 use crate::deviation::deviation;
 use crate::nystrom::Nystrom;
-use crate::{ERROR, Measurement, TIME, TOLERANCE};
 
 /// A contact and its four quantities, computed independently.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -103,15 +103,7 @@ pub struct Row {
     pub seconds: f64,
 }
 
-impl Measurement for Row {
-    const RANGES: &'static [(&'static str, [f64; 2])] = &[
-        ("a_over_t", [1e-30, 1e30]),
-        ("tolerance", TOLERANCE),
-        ("error_estimated", ERROR),
-        ("error", ERROR),
-        ("seconds", TIME),
-    ];
-}
+impl Measurement for Row {}
 
 /// The name of the contacts of the paper's material.
 pub const PAPER: &str = "the paper's material";

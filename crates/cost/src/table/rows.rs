@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{COUNT, ERROR, Measurement, TIME, TOLERANCE};
+use crate::Measurement;
 
 /// The tolerances of the rows, from the loosest on.
 pub const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
@@ -56,24 +56,7 @@ pub struct Row {
     pub break_even_along: f64,
 }
 
-impl Measurement for Row {
-    const RANGES: &'static [(&'static str, [f64; 2])] = &[
-        ("tolerance", TOLERANCE),
-        ("solves", COUNT),
-        ("threads", [1.0, 1e6]),
-        ("seconds", TIME),
-        ("dense_bytes", COUNT),
-        ("dense_error", ERROR),
-        ("pack_seconds", TIME),
-        ("packed_bytes", COUNT),
-        ("packed_error", ERROR),
-        ("solve_seconds", TIME),
-        ("curve_seconds", TIME),
-        ("point_seconds", TIME),
-        ("break_even_alone", [0.0, f64::INFINITY]),
-        ("break_even_along", [0.0, f64::INFINITY]),
-    ];
-}
+impl Measurement for Row {}
 
 impl Row {
     /// Returns the number of nodes on each axis.

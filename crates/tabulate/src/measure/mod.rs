@@ -10,7 +10,6 @@ mod table;
 
 pub use effects::measure as effects;
 pub use made::Made;
-pub(crate) use rows::read;
 pub use rows::read_csv;
 #[cfg(test)]
 pub(crate) use rows::rows;

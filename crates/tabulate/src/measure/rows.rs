@@ -16,18 +16,10 @@ const LONGEST: u64 = 1 << 24;
 ///
 /// # Errors
 /// [`Error::Read`] for a file that cannot be read, a line that is not such a row, a number outside
-/// [`Measurement::RANGES`], or a file without rows. It names the file and, where there is one, the
+/// [`Measurement::range`], or a file without rows. It names the file and, where there is one, the
 /// line, the column and the value.
 pub fn read_csv<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
-    read(path, R::RANGES)
-}
-
-/// Reads such rows with other ranges of numbers.
-pub(crate) fn read<R: Measurement>(
-    path: &Path,
-    ranges: &[(&str, [f64; 2])],
-) -> Result<Vec<R>, Error> {
-    let rows = input::open(path, LONGEST).and_then(|(file, _)| rows(file, ranges));
+    let rows = input::open(path, LONGEST).and_then(|(file, _)| rows(file));
     rows.map_err(|source| Error::Read {
         path: path.to_owned(),
         source,
@@ -35,16 +27,13 @@ pub(crate) fn read<R: Measurement>(
 }
 
 /// Reads the rows of an open file.
-pub fn rows<R: Measurement>(
-    file: impl io::Read,
-    ranges: &[(&str, [f64; 2])],
-) -> io::Result<Vec<R>> {
+pub fn rows<R: Measurement>(file: impl io::Read) -> io::Result<Vec<R>> {
     let mut reader = CsvFile::new(file);
     let headers = reader.header()?;
     let mut rows = Vec::new();
     let mut record = csv::StringRecord::new();
     while let Some(line) = reader.read(&mut record)? {
-        check(&headers, &record, line, ranges)?;
+        check::<R>(&headers, &record, line)?;
         let row = record.deserialize(Some(&headers));
         rows.push(row.map_err(|error| located(error, line))?);
     }
@@ -55,11 +44,10 @@ pub fn rows<R: Measurement>(
 }
 
 /// Accepts the numbers and the texts of a row, which may come from anywhere.
-fn check(
+fn check<R: Measurement>(
     headers: &csv::StringRecord,
     record: &csv::StringRecord,
     line: u64,
-    ranges: &[(&str, [f64; 2])],
 ) -> io::Result<()> {
     for (column, field) in headers.iter().zip(record) {
         let shown = printable::line(field);
@@ -69,13 +57,13 @@ fn check(
                 printable::line(column)
             )));
         }
-        let range = ranges.iter().find(|(name, _)| *name == column);
-        if let Some((name, [from, to])) = range
+        if let Some([from, to]) = R::range(column)
             && let Ok(value) = field.parse::<f64>()
-            && !(value >= *from && value <= *to)
+            && !(value >= from && value <= to)
         {
             return Err(invalid(format!(
-                "line {line}: {name} = {field} is outside {from:e} to {to:e}; measure it again, or remove the row"
+                "line {line}: {} = {field} is outside {from:e} to {to:e}; measure it again, or remove the row",
+                printable::line(column)
             )));
         }
     }

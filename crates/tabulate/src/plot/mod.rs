@@ -67,7 +67,7 @@ mod tests {
                     writer.write_record(fields).expect("in memory");
                 }
                 let bytes = writer.into_inner().expect("in memory");
-                let (message, words) = match rows::<R>(&*bytes, R::RANGES) {
+                let (message, words) = match rows::<R>(&*bytes) {
                     Err(error) => (error.to_string(), &["line 3"][..]),
                     Ok(rows) => {
                         summary(&rows);
@@ -100,7 +100,7 @@ mod tests {
         let sound = fs::read(path(name)).expect("shipped");
         let (mut refused, mut accepted, mut drawn) = (0, 0, 0);
         each_damaged(&sound, WORDS, 5, |_, bytes| {
-            let Ok(rows) = rows::<R>(bytes, R::RANGES) else {
+            let Ok(rows) = rows::<R>(bytes) else {
                 refused += 1;
                 return;
             };

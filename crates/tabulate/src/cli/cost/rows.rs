@@ -8,7 +8,7 @@ use cost::{Measured, Measurement, compare, to_csv};
 
 use crate::cli::output::Output;
 use crate::cli::{note, print};
-use crate::measure::{read, read_csv};
+use crate::measure::read_csv;
 use crate::printable;
 
 /// The files from which rows are read and to which they are written.
@@ -42,11 +42,10 @@ impl Rows {
             self.output.as_deref(),
             &[input, self.data.as_deref(), self.compare.as_deref()],
         )?;
-        // A time of 0 was not measured, and is in no range.
         let before = self
             .compare
             .as_ref()
-            .map(|path| anyhow::Ok((path, read::<R>(path, &[])?)))
+            .map(|path| anyhow::Ok((path, read_csv::<R>(path)?)))
             .transpose()?;
         let Measured { rows, left_out } = match &self.data {
             Some(path) => read_csv(path)?.into(),
