@@ -3,7 +3,7 @@
 
 use interp::{Curve, Material, Parameter, Quantities, Quantity, Table};
 
-use super::linear::{Linear, Multilinear};
+use super::linear::{in_table, on_curve};
 use super::load::{Errors, loads};
 use super::rows::{FURTHER, Family, NEW, Point, Row, SOLVED};
 use crate::Measured;
@@ -143,18 +143,18 @@ impl Scene<'_> {
 
     /// Measures linear interpolation between the nodes in all parameters at once.
     fn multilinear(&self, table: &Table) -> Row {
-        let grids = Quantity::ALL.map(|quantity| Multilinear::new(table, quantity));
+        let grids = Quantity::ALL.map(|quantity| in_table(table, quantity));
         let found: Vec<Quantities> = self
             .points
             .iter()
             .map(|(x, material)| {
-                Quantities::from_array(grids.each_ref().map(|grid| grid.at(*x, material)))
+                Quantities::from_array(grids.each_ref().map(|grid| grid(*x, material)))
             })
             .collect();
         let errors = Errors::of_loads(&loads(self.points, &found), &self.truth);
         let seconds = self
             .timing
-            .per_one(self.points, |(x, material)| grids[0].at(*x, material));
+            .per_one(self.points, |(x, material)| grids[0](*x, material));
         self.row(
             Family::Table,
             "linear in 4-D, same nodes",
@@ -172,7 +172,7 @@ impl Scene<'_> {
             let curve = table.curve(material)?;
             let (mut by_linear, mut by_cubic) = ([0.0; 4], [0.0; 4]);
             for quantity in Quantity::ALL {
-                by_linear[quantity as usize] = Linear::new(&curve, quantity, nodes)?.at(*x);
+                by_linear[quantity as usize] = on_curve(&curve, quantity, nodes)?(*x);
                 by_cubic[quantity as usize] = spline(&curve, quantity)?(*x);
             }
             linear.push(Quantities::from_array(by_linear));
@@ -190,11 +190,11 @@ impl Scene<'_> {
         };
         let curve = table.curve(&self.points[0].1)?;
         let (line, cubics) = (
-            Linear::new(&curve, Quantity::Pi0, nodes)?,
+            on_curve(&curve, Quantity::Pi0, nodes)?,
             spline(&curve, Quantity::Pi0)?,
         );
         Ok(vec![
-            row("linear along a curve, same nodes", &linear, &|x| line.at(x)),
+            row("linear along a curve, same nodes", &linear, &line),
             row(
                 &format!("cubic along a curve, {PIECES} pieces"),
                 &cubic,

@@ -2,16 +2,15 @@
 
 use interp::{Curve, Error, Material, Parameter, Quantity, Table};
 
-/// Linear interpolation of one quantity in all four parameters at once.
-pub struct Multilinear {
-    quantity: Quantity,
+/// Linear interpolation in `N` variables at once.
+struct Linear<const N: usize> {
     /// The coordinates of the nodes, in the order of the values.
-    axes: [Vec<f64>; 4],
-    /// Row-major over [`ORDER`].
-    logarithms: Vec<f64>,
+    axes: [Vec<f64>; N],
+    /// Row-major over the axes.
+    values: Vec<f64>,
 }
 
-/// The order of the dimensions. `a/t` is the last, so that neighbours along it are neighbours in
+/// The order of the dimensions of a table. `a/t` is the last, so that neighbours along it are neighbours in
 /// memory, as in [`Table::logarithms`].
 const ORDER: [Parameter; 4] = [
     Parameter::E1OverE2,
@@ -20,47 +19,61 @@ const ORDER: [Parameter; 4] = [
     Parameter::AOverT,
 ];
 
-impl Multilinear {
-    /// Returns the interpolation between the nodes of a table that holds all four quantities.
-    pub fn new(table: &Table, quantity: Quantity) -> Self {
-        let axes = ORDER.map(|parameter| {
-            table
-                .axis(parameter)
-                .iter()
-                .map(|&node| parameter.coordinate(node))
-                .collect()
-        });
-        let of_film = |e1| {
-            table
-                .logarithms(e1)
-                .chunks_exact(4)
-                .map(|four| four[quantity as usize])
-                .collect::<Vec<f64>>()
-        };
-        let logarithms = (0..table.axis(Parameter::E1OverE2).len())
-            .flat_map(of_film)
-            .collect();
-        Self {
-            quantity,
-            axes,
-            logarithms,
-        }
+/// Returns the interpolation of a quantity between the nodes of a table that holds all four quantities, at points of
+/// its box.
+pub fn in_table(table: &Table, quantity: Quantity) -> impl Fn(f64, &Material) -> f64 + use<> {
+    let of_film = |e1| {
+        let all = table.logarithms(e1);
+        let own = all.into_iter().skip(quantity as usize);
+        own.step_by(4)
+    };
+    let films = 0..table.axis(Parameter::E1OverE2).len();
+    let linear = Linear {
+        axes: ORDER.map(|parameter| coordinates(parameter, table.axis(parameter))),
+        values: films.flat_map(of_film).collect(),
+    };
+    move |a_over_t, material| {
+        let (e1, nu1) = (material.e1_over_e2(), material.nu1());
+        let point = [e1, nu1, material.e0_over_e2(), a_over_t];
+        let point = std::array::from_fn(|k| ORDER[k].coordinate(point[k]));
+        quantity.scale(material.sphere_film_modulus()) * linear.at(point).exp()
     }
+}
 
-    /// Returns the quantity at a point of the table's box.
-    pub fn at(&self, a_over_t: f64, material: &Material) -> f64 {
-        let point = [
-            material.e1_over_e2(),
-            material.nu1(),
-            material.e0_over_e2(),
-            a_over_t,
-        ];
-        let (mut places, mut shares) = ([0; 4], [0.0; 4]);
+/// Returns the interpolation of a quantity between its values on the curve of one material at `nodes`, which are
+/// ascending `a/t`.
+///
+/// # Errors
+/// Those of [`Curve::quantity`].
+pub fn on_curve(
+    curve: &Curve,
+    quantity: Quantity,
+    nodes: &[f64],
+) -> Result<impl Fn(f64) -> f64 + use<>, Error> {
+    let es = curve.material().sphere_film_modulus();
+    let value = |&x: &f64| Ok(quantity.logarithm(curve.quantity(quantity, x)?, es));
+    let linear = Linear {
+        axes: [coordinates(Parameter::AOverT, nodes)],
+        values: nodes.iter().map(value).collect::<Result<_, Error>>()?,
+    };
+    let scale = quantity.scale(es);
+    Ok(move |x| scale * linear.at([Parameter::AOverT.coordinate(x)]).exp())
+}
+
+fn coordinates(parameter: Parameter, nodes: &[f64]) -> Vec<f64> {
+    let coordinates = nodes.iter().map(|&node| parameter.coordinate(node));
+    coordinates.collect()
+}
+
+impl<const N: usize> Linear<N> {
+    /// Returns the value at a point between the first and the last node of each axis.
+    fn at(&self, point: [f64; N]) -> f64 {
+        let (mut places, mut shares) = ([0; N], [0.0; N]);
         for (k, axis) in self.axes.iter().enumerate() {
-            (places[k], shares[k]) = bracket(axis, ORDER[k].coordinate(point[k]));
+            (places[k], shares[k]) = bracket(axis, point[k]);
         }
         let mut sum = 0.0;
-        for corner in 0..16 {
+        for corner in 0..1 << N {
             let (mut weight, mut index) = (1.0, 0);
             for (k, axis) in self.axes.iter().enumerate() {
                 let upper = corner >> k & 1;
@@ -71,46 +84,9 @@ impl Multilinear {
                 };
                 index = index * axis.len() + (places[k] + upper).min(axis.len() - 1);
             }
-            sum += weight * self.logarithms[index];
+            sum += weight * self.values[index];
         }
-        self.quantity.scale(material.sphere_film_modulus()) * sum.exp()
-    }
-}
-
-/// Linear interpolation of one quantity along the curve of one material.
-pub struct Linear {
-    scale: f64,
-    places: Vec<f64>,
-    logarithms: Vec<f64>,
-}
-
-impl Linear {
-    /// Returns the interpolation between the values at `nodes`, which are ascending `a/t`.
-    ///
-    /// # Errors
-    /// Those of [`Curve::quantity`].
-    pub fn new(curve: &Curve, quantity: Quantity, nodes: &[f64]) -> Result<Self, Error> {
-        let es = curve.material().sphere_film_modulus();
-        let logarithms = nodes
-            .iter()
-            .map(|&x| Ok(quantity.logarithm(curve.quantity(quantity, x)?, es)))
-            .collect::<Result<_, Error>>()?;
-        let places = nodes
-            .iter()
-            .map(|&x| Parameter::AOverT.coordinate(x))
-            .collect();
-        Ok(Self {
-            scale: quantity.scale(es),
-            places,
-            logarithms,
-        })
-    }
-
-    /// Returns the quantity between the first and the last node.
-    pub fn at(&self, a_over_t: f64) -> f64 {
-        let (place, share) = bracket(&self.places, Parameter::AOverT.coordinate(a_over_t));
-        let next = (place + 1).min(self.logarithms.len() - 1);
-        self.scale * ((1.0 - share) * self.logarithms[place] + share * self.logarithms[next]).exp()
+        sum
     }
 }
 
