@@ -1,16 +1,12 @@
 //! The generation of tables, with progress, signals, and pieces that are solved elsewhere.
 //!
-//! The generation runs in a thread of its own. The caller's thread, which alone may run Python,
-//! waits for its events: it looks at signals, tells the progress, and solves pieces elsewhere.
+//! The generation runs in a thread of its own. The caller's thread, which alone may run Python, looks at signals,
+//! tells the progress, and makes the calls that the generation asks for.
 
-use std::panic::resume_unwind;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use interp::Parameter;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use tabulate::Error;
@@ -20,7 +16,7 @@ use tabulate::table::{
 
 use crate::arrays::Output;
 use crate::error::OrRaise as _;
-use crate::interruption::TICK;
+use crate::interruption::{Calls, attended};
 use crate::table::Table;
 
 /// What to generate, as a Python dict.
@@ -68,61 +64,54 @@ fn without_listing(what: &str) -> Option<String> {
     })
 }
 
-/// What the thread of the generation tells that of the caller.
-enum Event {
-    /// A stage begins, with its points and those that are finished already. It waits for an answer.
-    Begin(&'static str, usize, usize, Sender<()>),
-    /// A sentence for the user.
-    Note(String),
-    /// The pieces of a sweep are to be solved elsewhere.
-    Pieces(Pieces),
-    /// The generation has ended.
-    End,
-}
-
-/// The pieces of a sweep that are to be solved elsewhere. Dropping `reply` tells that there are no
-/// more.
-struct Pieces {
-    axes: [(Parameter, Vec<f64>); 4],
-    missing: Vec<usize>,
-    reply: Sender<(usize, Vec<f64>)>,
-}
+/// A stage with the number of its points and that of the finished ones.
+type Progress = (&'static str, usize, usize);
 
 /// The side of the generation.
-struct Told {
-    events: Mutex<Sender<Event>>,
-    advanced: AtomicUsize,
-    interrupted: AtomicBool,
+struct Told<'a> {
+    calls: Calls<'a>,
+    progress: &'a Mutex<Progress>,
+    interrupted: &'a AtomicBool,
+    /// Called with a sentence.
+    note: &'a Py<PyAny>,
 }
 
-impl Told {
-    fn tell(&self, event: Event) {
-        // The caller listens until the end of the generation.
-        let _ = self
-            .events
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .send(event);
-    }
+/// Returns the progress, whoever panicked while it was told.
+fn locked(progress: &Mutex<Progress>) -> MutexGuard<'_, Progress> {
+    progress.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
-    /// Solves the pieces `missing` by the caller's thread.
+impl<'a> Told<'a> {
+    /// Solves the pieces `missing` by `pieces`, which is called with the names and the nodes of the axes, and the
+    /// numbers of the pieces. It returns an iterator over pairs of a number and its values.
     fn solve(
         &self,
+        pieces: &'a Py<PyAny>,
         sweep: &Sweep<'_>,
         missing: &[usize],
-        observer: &dyn Observer,
         keep: Keep<'_>,
     ) -> Result<(), Error> {
-        let (reply, solved) = channel();
-        let missing = missing.to_vec();
+        let axes = sweep.axes().clone();
+        let axes = axes.map(|(parameter, nodes)| (parameter.name(), nodes));
+        let numbers = missing.to_vec();
+        let solved = self.calls.ask(move |py| {
+            let solved = pieces.call1(py, (axes, numbers))?;
+            Ok(solved.bind(py).try_iter()?.unbind())
+        });
+        let solved = solved.map(Arc::new);
+        let next = || {
+            let solved = Arc::clone(solved.as_ref()?);
+            self.calls.ask(move |py| {
+                let Some(one) = solved.bind(py).clone().next() else {
+                    return Ok(None);
+                };
+                let (piece, values): (usize, PyReadonlyArray1<'_, f64>) = one?.extract()?;
+                Ok(Some((piece, values.as_slice()?.to_vec())))
+            })?
+        };
         let mut left = missing.len();
-        self.tell(Event::Pieces(Pieces {
-            axes: sweep.axes().clone(),
-            missing,
-            reply,
-        }));
-        for (piece, values) in solved {
-            observer.advance(sweep.points());
+        while let Some((piece, values)) = next() {
+            self.advance(sweep.points());
             keep(piece, &values)?;
             left -= 1;
         }
@@ -136,30 +125,20 @@ impl Told {
     }
 }
 
-/// Tells the end of the generation when it is dropped, after a panic too.
-struct End<'a>(&'a Told);
-
-impl Drop for End<'_> {
-    fn drop(&mut self) {
-        self.0.tell(Event::End);
-    }
-}
-
-impl Observer for Told {
+impl Observer for Told<'_> {
     fn begin(&self, what: &'static str, points: usize, finished: usize) {
-        let (go, told) = channel();
-        self.tell(Event::Begin(what, points, finished, go));
-        // Nothing advances until the caller has taken the stage. Without an answer it has an
-        // exception, and has interrupted the generation.
-        let _ = told.recv();
+        *locked(self.progress) = (what, points, finished);
+        // Nothing advances until the caller has told the stage.
+        self.calls.ask(|_| Ok(()));
     }
 
     fn advance(&self, points: usize) {
-        self.advanced.fetch_add(points, Ordering::Relaxed);
+        locked(self.progress).2 += points;
     }
 
     fn note(&self, text: &str) {
-        self.tell(Event::Note(text.to_owned()));
+        let (note, text) = (self.note, text.to_owned());
+        self.calls.ask(move |py| note.call1(py, (text,)).map(drop));
     }
 
     fn is_interrupted(&self) -> bool {
@@ -167,134 +146,15 @@ impl Observer for Told {
     }
 }
 
-/// The side of the caller.
-struct Listener<'a> {
-    told: &'a Told,
-    events: Mutex<Receiver<Event>>,
-    /// Called with the stage, the number of its points, and that of the finished ones.
-    progress: Option<&'a Bound<'a, PyAny>>,
-    /// Called with a sentence.
-    note: &'a Bound<'a, PyAny>,
-    /// Called with the names and the nodes of the axes, and the numbers of the pieces. Returns an
-    /// iterator over pairs of a number and its values.
-    pieces: Option<&'a Bound<'a, PyAny>>,
-    stage: Option<(&'static str, usize)>,
-    finished: usize,
-}
-
-impl Listener<'_> {
-    /// Waits for the end of the generation, which an exception interrupts.
-    fn listen(&mut self, py: Python<'_>) -> PyResult<()> {
-        let heard = self.attend(py);
-        if heard.is_err() {
-            // The piece that is being solved is finished and kept.
-            while !matches!(self.next(py), Some(Event::End)) {}
-        }
-        heard
-    }
-
-    /// Handles events until the end, or until Python raises.
-    fn attend(&mut self, py: Python<'_>) -> PyResult<()> {
-        loop {
-            py.check_signals().inspect_err(|_| self.interrupt())?;
-            let event = self.next(py);
-            let heard = self.report().and_then(|()| match &event {
-                Some(Event::Pieces(pieces)) => self.solve(py, pieces),
-                Some(event) => self.hear(event),
-                None => Ok(()),
-            });
-            // Before the event is dropped, which lets the generation go on.
-            heard.inspect_err(|_| self.interrupt())?;
-            if matches!(event, Some(Event::End)) {
-                return Ok(());
-            }
-        }
-    }
-
-    /// Lets the generation end after the piece that is being solved.
-    fn interrupt(&self) {
-        self.told.interrupted.store(true, Ordering::Relaxed);
-    }
-
-    /// Returns the next event; none within a [`TICK`].
-    fn next(&self, py: Python<'_>) -> Option<Event> {
-        let events = &self.events;
-        py.detach(|| {
-            let events = events.lock().unwrap_or_else(PoisonError::into_inner);
-            events.recv_timeout(TICK).ok()
-        })
-    }
-
-    /// Takes a stage or a sentence.
-    fn hear(&mut self, event: &Event) -> PyResult<()> {
-        match event {
-            Event::Begin(stage, points, finished, go) => {
-                (self.stage, self.finished) = (Some((*stage, *points)), *finished);
-                self.tell_progress()?;
-                // The generation listens, unless it has panicked.
-                let _ = go.send(());
-                Ok(())
-            }
-            Event::Note(text) => self.note.call1((text,)).map(drop),
-            Event::Pieces(_) | Event::End => Ok(()),
-        }
-    }
-
-    /// Tells the progress if there is any.
-    fn report(&mut self) -> PyResult<()> {
-        let advanced = self.told.advanced.swap(0, Ordering::Relaxed);
-        if advanced == 0 {
-            return Ok(());
-        }
-        self.finished += advanced;
-        self.tell_progress()
-    }
-
-    fn tell_progress(&self) -> PyResult<()> {
-        if let (Some(progress), Some((stage, points))) = (self.progress, self.stage) {
-            progress.call1((stage, points, self.finished.min(points)))?;
-        }
-        Ok(())
-    }
-
-    /// Lets Python solve pieces.
-    fn solve(&mut self, py: Python<'_>, pieces: &Pieces) -> PyResult<()> {
-        let Some(call) = self.pieces else {
-            return Ok(());
-        };
-        let axes = nodes(&pieces.axes);
-        for solved in call.call1((axes, pieces.missing.clone()))?.try_iter()? {
-            let (piece, values): (usize, PyReadonlyArray1<'_, f64>) = solved?.extract()?;
-            if pieces
-                .reply
-                .send((piece, values.as_slice()?.to_vec()))
-                .is_err()
-            {
-                // The generation has ended by an error, which it tells next.
-                break;
-            }
-            py.check_signals()?;
-            self.report()?;
-        }
-        Ok(())
-    }
-}
-
-/// Returns the names and the nodes of axes.
-fn nodes(axes: &[(Parameter, Vec<f64>); 4]) -> Vec<(&'static str, Vec<f64>)> {
-    axes.iter()
-        .map(|(parameter, nodes)| (parameter.name(), nodes.clone()))
-        .collect()
-}
-
-/// Generates the table of a scene and writes its file.
+/// Generates the table of a scene and writes its file. `progress` is called with the stage, the number of its points,
+/// and that of the finished ones, and `note` with a sentence. `pieces` solves the pieces of the sweep elsewhere.
 #[pyfunction]
 pub fn generate(
     py: Python<'_>,
     given: &Bound<'_, PyAny>,
-    progress: Option<&Bound<'_, PyAny>>,
-    note: &Bound<'_, PyAny>,
-    pieces: Option<&Bound<'_, PyAny>>,
+    progress: Option<Bound<'_, PyAny>>,
+    note: Py<PyAny>,
+    pieces: Option<Py<PyAny>>,
 ) -> PyResult<Table> {
     let given: Given = given.extract()?;
     let scene = given.scene.read().or_raise(py)?;
@@ -306,44 +166,38 @@ pub fn generate(
         resume: given.resume,
         budget: None,
     };
-    let (sender, receiver) = channel();
-    let told = Told {
-        events: Mutex::new(sender),
-        advanced: AtomicUsize::new(0),
-        interrupted: AtomicBool::new(false),
-    };
-    let mut listener = Listener {
-        told: &told,
-        events: Mutex::new(receiver),
-        progress,
-        note,
-        pieces,
-        stage: None,
-        finished: 0,
-    };
-    let is_elsewhere = pieces.is_some();
-    let outcome = thread::scope(|scope| {
-        let (told, scene, path) = (&told, &scene, &given.path);
-        let generation = scope.spawn(move || {
-            let _end = End(told);
-            if is_elsewhere {
-                let elsewhere = |sweep: &Sweep<'_>,
-                                 missing: &[usize],
-                                 observer: &dyn Observer,
-                                 keep: Keep<'_>| {
-                    told.solve(sweep, missing, observer, keep)
-                };
-                generate_with(scene, path, &options, told, &elsewhere)
-            } else {
-                generate_with(scene, path, &options, told, &here)
+    let (interrupted, begun) = (AtomicBool::new(false), ("", 0, 0));
+    let (current, mut last) = (Mutex::new(begun), begun);
+    let look = || {
+        let now = *locked(&current);
+        match &progress {
+            Some(progress) if now != last => {
+                last = now;
+                let (stage, points, finished) = now;
+                progress
+                    .call1((stage, points, finished.min(points)))
+                    .map(drop)
             }
-        });
-        listener.listen(py)?;
-        Ok::<_, PyErr>(
-            generation
-                .join()
-                .unwrap_or_else(|panic| resume_unwind(panic)),
-        )
+            _ => Ok(()),
+        }
+    };
+    let outcome = attended(py, &interrupted, look, |calls| {
+        let told = Told {
+            calls,
+            progress: &current,
+            interrupted: &interrupted,
+            note: &note,
+        };
+        match &pieces {
+            Some(pieces) => {
+                let elsewhere =
+                    |sweep: &Sweep<'_>, missing: &[usize], _: &dyn Observer, keep: Keep<'_>| {
+                        told.solve(pieces, sweep, missing, keep)
+                    };
+                generate_with(&scene, &given.path, &options, &told, &elsewhere)
+            }
+            None => generate_with(&scene, &given.path, &options, &told, &here),
+        }
     })?;
     Ok(Table::of(outcome.or_raise(py)?.table))
 }

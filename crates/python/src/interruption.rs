@@ -1,8 +1,8 @@
 //! Work that Ctrl-C ends: another thread does it, and the thread of Python looks at signals.
 
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::Duration;
 
@@ -10,6 +10,29 @@ use pyo3::prelude::*;
 
 /// The time between two looks at signals.
 pub const TICK: Duration = Duration::from_millis(50);
+
+/// A call of Python, for the thread that alone may run it.
+type Call<'a> = Box<dyn FnOnce(Python<'_>) -> PyResult<()> + Send + 'a>;
+
+/// Calls of Python that the work asks the thread of the caller to make.
+pub struct Calls<'a>(Sender<Call<'a>>);
+
+impl<'a> Calls<'a> {
+    /// Waits until the call is made, and returns its result; none if Python has raised, here or before.
+    pub fn ask<T: Send + 'a>(
+        &self,
+        call: impl FnOnce(Python<'_>) -> PyResult<T> + Send + 'a,
+    ) -> Option<T> {
+        let (reply, answer) = channel();
+        let made = move |py: Python<'_>| {
+            // The work waits for it.
+            let _ = reply.send(call(py)?);
+            Ok(())
+        };
+        self.0.send(Box::new(made)).ok()?;
+        answer.recv().ok()
+    }
+}
 
 /// Does `work` with the interpreter's lock released. After a signal whose handler raises, such as
 /// that of Ctrl-C, it sets `interrupted`, which `work` reads between its parts, waits for the end of
@@ -19,27 +42,38 @@ pub fn interruptible<T: Send>(
     interrupted: &AtomicBool,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    let (end, ended) = channel::<()>();
-    let ended = Mutex::new(ended);
+    attended(py, interrupted, || Ok(()), |_| work())
+}
+
+/// Does `work` as [`interruptible`] does, with `look` at every look at signals, before every call, and at the end. If
+/// one of these raises, it is as after a signal.
+pub fn attended<'a, T: Send>(
+    py: Python<'_>,
+    interrupted: &AtomicBool,
+    mut look: impl FnMut() -> PyResult<()>,
+    work: impl FnOnce(Calls<'a>) -> T + Send,
+) -> PyResult<T> {
+    let (sender, mut calls) = channel::<Call<'a>>();
     thread::scope(|scope| {
-        let worker = scope.spawn(move || {
-            // Dropped at the end, also at that of a panic.
-            let _end = end;
-            work()
-        });
-        let goes_on = || {
-            let ended = ended.lock().unwrap_or_else(PoisonError::into_inner);
-            ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout)
-        };
+        // The calls end with the work, also by a panic.
+        let worker = scope.spawn(move || work(Calls(sender)));
         let mut heard = Ok(());
-        while heard.is_ok() && py.detach(goes_on) {
-            heard = py.check_signals();
-        }
-        if heard.is_err() {
-            interrupted.store(true, Ordering::Relaxed);
+        let mut goes_on = true;
+        while goes_on {
+            let calls = &mut calls;
+            let asked = py.detach(move || calls.recv_timeout(TICK));
+            goes_on = !matches!(asked, Err(RecvTimeoutError::Disconnected));
+            heard = heard.and_then(|()| {
+                py.check_signals()?;
+                look()?;
+                asked.map_or(Ok(()), |call| call(py))
+            });
+            if heard.is_err() {
+                interrupted.store(true, Ordering::Relaxed);
+            }
         }
         let done = py.detach(|| worker.join());
         heard?;
-        Ok(done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        Ok(done.unwrap_or_else(|panic| resume_unwind(panic)))
     })
 }
