@@ -3,8 +3,8 @@
 //!
 //! `tables/figures/` holds all figures, and the rows of each `tabulate cost` as CSV. The Markdown
 //! files quote the summaries of these rows between `<!-- tabulate cost NAME -->` and
-//! `<!-- end -->`. `crates/fit/data` and `crates/fit/figures` hold synthetic measurements and the
-//! figures of their fits.
+//! `<!-- end -->`. `crates/fit/data` holds synthetic measurements, each with the command that makes it in its second
+//! line, and `crates/fit/figures` the figures of the fits whose commands `crates/fit/EXPERIMENTS.md` shows.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -38,72 +38,6 @@ const FIGURES: [(&str, Option<&str>); 14] = [
 
 /// The measurement and the figure that take the packed table of the default scene. Each would make it first.
 const OF_DEFAULT_TABLE: [&str; 2] = ["lookup", "error-map"];
-
-/// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
-/// `tabulate simulate` and those of `tabulate fit`.
-const FITS: [(&str, &str, &str); 7] = [
-    (
-        "lens",
-        "--specimen paper --kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
-         --value load-offset=3e-5 --seed 1",
-        "--sphere-radius 1mm --film-thickness 30um --film-modulus 3.5MPa --film-poisson-ratio 0.5 \
-         --substrate-modulus 200GPa --substrate-poisson-ratio 0.25 --noise 2uN \
-         --free sphere-modulus,work-of-adhesion,load-offset",
-    ),
-    (
-        "gel",
-        "--specimen paper --kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 \
-         --film-modulus 5e3 --substrate-modulus 7e10 --work-of-adhesion 5e-5 --stiffness 0.1 \
-         --from 1e-6 --to -2e-7 --points 120 --noise 5e-11 --value contact-point=2e-7 \
-         --value baseline=1e-9 --seed 1",
-        "--sphere-radius 10um --sphere-modulus inf --film-thickness 20um --film-poisson-ratio 0.5 \
-         --substrate-modulus 70GPa --substrate-poisson-ratio 0.25 --stiffness 0.1N/m",
-    ),
-    (
-        "relaxing",
-        "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 8e-6 --film-modulus 2e3 \
-         --film-poisson-ratio 0.5 --substrate-modulus 7e10 --substrate-poisson-ratio 0.25 \
-         --relaxation power-law --relaxation-exponent 0.2 --sample-interval 0.01 --hold 0.5 --stiffness 0.05 \
-         --from 2e-7 --to -6e-7 --points 100 --noise 3e-11 --value contact-point=3e-8 \
-         --value baseline=1e-10 --seed 1",
-        "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
-         --substrate-modulus 70GPa --substrate-poisson-ratio 0.25 --stiffness 0.05N/m --relaxation power-law",
-    ),
-    (
-        "coating",
-        "--kind load-penetration --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 \
-         --film-modulus 7e10 --film-poisson-ratio 0.2 --substrate-modulus 2.4e9 \
-         --substrate-poisson-ratio 0.38 --work-of-adhesion 0 --segments approach --from -2e-8 \
-         --to 4e-8 --points 61 --noise 2e-7 --value contact-point=3e-9 --seed 1",
-        "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 --film-poisson-ratio 0.2 \
-         --substrate-modulus 2.4e9 --substrate-poisson-ratio 0.38 --work-of-adhesion 0 \
-         --free film-modulus,contact-point",
-    ),
-    (
-        "primer",
-        "--specimen paper --kind load-radius --stack crates/fit/data/primer.toml --from 2e-5 --to 1e-4 --noise 1e-6 \
-         --value primer.modulus=5e5 --seed 1",
-        "--sphere-radius 1mm --stack crates/fit/data/primer.toml --noise 1uN \
-         --free sphere-modulus,primer.modulus,work-of-adhesion",
-    ),
-    (
-        "silicon",
-        "--kind stiffness-depth --half-space --film-modulus 1.7e11 --film-poisson-ratio 0.28 \
-         --sphere-modulus 1.147e12 --beta 1.034 --hardness 1.15e10 --tip-rounding 6e-9 \
-         --from 4e-8 --to 2.5e-7 --noise 1% --seed 1",
-        "--kind stiffness-depth --half-space --film-modulus 170GPa --film-poisson-ratio 0.28 \
-         --sphere-modulus 1147GPa --beta 1.034 --free tip-rounding",
-    ),
-    (
-        "oxide",
-        "--kind stiffness-depth --film-thickness 5e-7 --film-modulus 7.2e10 --film-poisson-ratio 0.17 \
-         --substrate-modulus 1.7e11 --substrate-poisson-ratio 0.28 --sphere-modulus 1.147e12 \
-         --beta 1.034 --hardness 1e10 --tip-rounding 6e-9 --from 4e-8 --to 2.5e-7 --noise 1% --seed 2",
-        "--kind stiffness-depth --film-thickness 500nm --film-poisson-ratio 0.17 \
-         --substrate-modulus 170GPa --substrate-poisson-ratio 0.28 --sphere-modulus 1147GPa \
-         --beta 1.034 --reference crates/fit/data/silicon.csv --free film-modulus,tip-rounding",
-    ),
-];
 
 /// The files that quote measurements. A file without a quotation stays as it is.
 const DOCUMENTS: [&str; 2] = ["crates/tabulate/COST.md", "tables/README.md"];
@@ -145,10 +79,11 @@ pub fn figures() -> Result<(), String> {
     for (figure, cost) in FIGURES {
         draw(figure, cost, &table, &name(&folder, figure, "svg"))?;
     }
-    for (stem, simulate, fit) in FITS {
-        let [data, figure] = fit_files(stem);
-        write(&data, &simulated(simulate)?)?;
-        draw_fit(fit, &data, &figure)?;
+    for (data, command) in simulations()? {
+        write(&data, &run(&command)?)?;
+    }
+    for (figure, command) in fits()? {
+        run(&command.replace(&figure, &format!("crates/fit/figures/{figure}")))?;
     }
     for document in DOCUMENTS {
         let path = workspace::root().join(document);
@@ -185,14 +120,16 @@ pub fn check() -> Result<(), String> {
         draw(figure, cost, &table, &now)?;
         compare(Path::new(&before), Path::new(&now), ROUNDING)?;
     }
-    for (stem, simulate, fit) in FITS {
-        let [data, figure] = fit_files(stem);
-        let [new_data, new_figure] =
-            ["csv", "svg"].map(|ending| drawn.join(stem).with_extension(ending));
-        write(&new_data, &simulated(simulate)?)?;
-        compare(&data, &new_data, TOLERANCE)?;
-        draw_fit(fit, &data, &new_figure)?;
-        compare(&figure, &new_figure, ROUNDING)?;
+    for (data, command) in simulations()? {
+        let now = drawn.join(data.file_name().expect("a file has a name"));
+        write(&now, &run(&command)?)?;
+        compare(&data, &now, TOLERANCE)?;
+    }
+    for (figure, command) in fits()? {
+        let now = drawn.join(&figure);
+        run(&command.replace(&figure, &now.display().to_string()))?;
+        let before = workspace::root().join("crates/fit/figures").join(figure);
+        compare(&before, &now, ROUNDING)?;
     }
     Ok(())
 }
@@ -208,25 +145,39 @@ fn compare(before: &Path, now: &Path, difference: Difference) -> Result<(), Stri
     ))
 }
 
-/// Returns the data and the figure of a fit.
-fn fit_files(stem: &str) -> [PathBuf; 2] {
-    let folder = workspace::root().join("crates/fit");
-    [
-        folder.join(format!("data/{stem}.csv")),
-        folder.join(format!("figures/{stem}.svg")),
-    ]
+/// Returns the synthetic measurements with the commands that make them.
+fn simulations() -> Result<Vec<(PathBuf, String)>, String> {
+    let files = workspace::files(&workspace::root().join("crates/fit/data"), "csv")?;
+    let simulation = |path: PathBuf| {
+        let text = read(&path)?;
+        let command = text
+            .lines()
+            .find_map(|line| line.strip_prefix("# tabulate"));
+        let missing = || format!("{} does not say what made it", path.display());
+        let command = command.ok_or_else(missing)?.to_owned();
+        Ok((path, command))
+    };
+    files.into_iter().map(simulation).collect()
 }
 
-/// Returns synthetic data.
-fn simulated(arguments: &str) -> Result<String, String> {
-    let arguments: Vec<&str> = arguments.split_whitespace().collect();
-    tabulate::text(&[&["simulate"], &arguments[..]].concat())
+/// Returns the names of the figures of fits with the commands that draw them.
+fn fits() -> Result<Vec<(String, String)>, String> {
+    let page = read(&workspace::root().join("crates/fit/EXPERIMENTS.md"))?;
+    let commands = page.split("\n\n    tabulate fit").skip(1);
+    let fits = commands.filter_map(|block| {
+        let (command, _) = block.split_once("\n\n")?;
+        let (_, figure) = command.split_once("--plot ")?;
+        Some((
+            figure.to_owned(),
+            format!("fit{}", command.replace('\\', "")),
+        ))
+    });
+    Ok(fits.collect())
 }
 
-fn draw_fit(arguments: &str, data: &Path, figure: &Path) -> Result<String, String> {
-    let [data, figure] = [data, figure].map(|path| path.display().to_string());
-    let arguments: Vec<&str> = arguments.split_whitespace().collect();
-    tabulate::text(&[&["fit", &data, "--plot", &figure], &arguments[..]].concat())
+/// Runs `tabulate`, whose paths are those from the root of the workspace.
+fn run(arguments: &str) -> Result<String, String> {
+    tabulate::text(&arguments.split_whitespace().collect::<Vec<_>>())
 }
 
 fn write(path: &Path, text: &str) -> Result<(), String> {
@@ -304,10 +255,12 @@ fn quoted(text: &str) -> Result<String, String> {
     Ok(quoted + rest)
 }
 
-/// Returns true if two texts differ by no more than their numbers may.
+/// Returns true if two texts differ by no more than their numbers may, and in comments, which name the version.
 fn alike(a: &str, b: &str, difference: Difference) -> bool {
     let tokens = |text: &str| {
-        text.split([' ', ',', '"', '<', '>', '\n'])
+        let lines = text.lines().filter(|line| !line.starts_with('#'));
+        lines
+            .flat_map(|line| line.split([' ', ',', '"', '<', '>']))
             .map(str::to_owned)
             .collect::<Vec<_>>()
     };

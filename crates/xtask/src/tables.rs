@@ -1,7 +1,6 @@
 //! The tables of the scenes in `tables/` and `tables/stacks/`, and the rows of `tables/README.md`
 //! about them.
 
-use std::fs;
 use std::io::{Write, stdout};
 use std::path::Path;
 
@@ -56,24 +55,14 @@ pub fn tables() -> Result<(), String> {
 /// Returns the names of the scenes in a folder of `scenes`, in alphabetical order: its TOML files
 /// that state an `a_over_t`, which a file of a stack does not. A name begins with the folder.
 fn scene_names(scenes: &Path, folder: &str) -> Result<Vec<String>, String> {
-    let path = scenes.join(folder);
-    let entries =
-        fs::read_dir(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
-    let files = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
     let mut names = Vec::new();
-    for file in files {
-        let Some(name) = file.strip_suffix(".toml") else {
-            continue;
-        };
-        let path = path.join(&file);
-        if workspace::read(&path)?
-            .lines()
-            .any(|line| line.starts_with("a_over_t"))
-        {
+    for path in workspace::files(&scenes.join(folder), "toml")? {
+        let text = workspace::read(&path)?;
+        if text.lines().any(|line| line.starts_with("a_over_t")) {
+            let name = path.file_stem().unwrap_or_default().display();
             names.push(format!("{folder}{name}"));
         }
     }
-    names.sort();
     Ok(names)
 }
 

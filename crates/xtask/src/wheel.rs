@@ -1,7 +1,6 @@
 //! The wheel and the source distribution of the Python package.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -58,12 +57,8 @@ fn wheel(python: &Path, options: &[&str], zig: Option<&Path>) -> Result<PathBuf,
 /// Returns the path of the file with an extension that maturin has made.
 fn made(extension: &str) -> Result<PathBuf, String> {
     let folder = folder()?;
-    let entries =
-        fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
-    entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .find(|path| path.extension().is_some_and(|found| found == extension))
-        .ok_or_else(|| format!("maturin left no {extension} in {}", folder.display()))
+    let made = workspace::files(&folder, extension)?.pop();
+    made.ok_or_else(|| format!("maturin left no {extension} in {}", folder.display()))
 }
 
 /// Returns a command of maturin on the package.
