@@ -165,6 +165,19 @@ impl Panel {
         })
     }
 
+    /// Draws a line through points, and writes its name at a part of them, from 0 to 1, preferably on the side given.
+    pub fn named(
+        &mut self,
+        points: Vec<Point>,
+        colour: Colour,
+        name: impl Into<String>,
+        (part, side): (f64, Side),
+    ) -> &mut Self {
+        let place = (part * points.len() as f64) as usize;
+        let at = points[place.min(points.len() - 1)];
+        self.line(points, colour).label(at, name, colour, side)
+    }
+
     /// Draws a dashed line through points.
     pub fn dashed(&mut self, points: impl Into<Vec<Point>>, colour: Colour) -> &mut Self {
         self.mark(Mark::Line {

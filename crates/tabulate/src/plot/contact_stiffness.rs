@@ -55,23 +55,18 @@ pub fn figure() -> Result<Figure, Error> {
             format!("substrate alone: {substrate:.1}"),
             Side::Left,
         )
-        .line(of_gao.clone(), GREEN)
-        .line(series.clone(), VERMILION)
-        .line(exact.clone(), BLUE);
-    let at = |line: &[Point], twentieths: usize| line[line.len() * twentieths / 20];
-    panel
-        .label(at(&exact, 8), "exact layers", BLUE, Side::AboveLeft)
-        .label(
-            at(&series, 14),
-            "springs in series",
-            VERMILION,
-            Side::AboveLeft,
-        )
-        .label(
-            at(&of_gao, 11),
-            "Gao, Chiu and Lee 1992",
+        .named(
+            of_gao,
             GREEN,
-            Side::BelowRight,
-        );
+            "Gao, Chiu and Lee 1992",
+            (0.55, Side::BelowRight),
+        )
+        .named(
+            series,
+            VERMILION,
+            "springs in series",
+            (0.7, Side::AboveLeft),
+        )
+        .named(exact, BLUE, "exact layers", (0.4, Side::AboveLeft));
     Ok(Figure::new(440, [panel]))
 }

@@ -65,8 +65,6 @@ pub fn figure() -> Result<Figure, Error> {
             format!("sphere on substrate alone: 8/3 = {substrate:.3}"),
             Side::Left,
         )
-        .line(data.pi0.clone(), BLUE);
-    let middle = data.pi0[data.pi0.len() * 11 / 20];
-    panel.label(middle, "Π_{0}", BLUE, Side::AboveLeft);
+        .named(data.pi0, BLUE, "Π_{0}", (0.55, Side::AboveLeft));
     Ok(Figure::new(440, [panel]))
 }

@@ -72,21 +72,17 @@ pub fn figure() -> Result<Figure, Error> {
             format!("sphere on substrate alone: {substrate:.0}"),
             Side::Left,
         )
-        .line(data.eeq.clone(), BLUE)
-        .line(data.gamma.clone(), VERMILION);
-    let at = |line: &[Point], twentieths: usize| line[line.len() * twentieths / 20];
-    panel
-        .label(
-            at(&data.eeq, 11),
-            "E_{eq}, contact stiffness",
+        .named(
+            data.eeq,
             BLUE,
-            Side::AboveLeft,
+            "E_{eq}, contact stiffness",
+            (0.55, Side::AboveLeft),
         )
-        .label(
-            at(&data.gamma, 11),
-            "Γ, edge singularity",
+        .named(
+            data.gamma,
             VERMILION,
-            Side::BelowRight,
+            "Γ, edge singularity",
+            (0.55, Side::BelowRight),
         );
     Ok(Figure::new(440, [panel]))
 }

@@ -83,19 +83,17 @@ pub fn figure() -> Result<Figure, Error> {
         .zip(THICKNESSES)
         .zip([BLUE, GREEN, ORANGE, VERMILION, PURPLE])
     {
-        let line = scaled(line);
-        panel.line(line.clone(), colour);
         // The uppermost label leaves room for the next ones.
         let side = if t == THICKNESSES[0] {
             Side::AboveRight
         } else {
             Side::Right
         };
-        panel.label(
-            line[line.len() - 1],
-            format!("{:.0} μm", 1e6 * t),
+        panel.named(
+            scaled(line),
             colour,
-            side,
+            format!("{:.0} μm", 1e6 * t),
+            (1.0, side),
         );
     }
     let at = |line: &[Point], part: f64| line[(part * line.len() as f64) as usize];

@@ -96,9 +96,9 @@ pub fn figure() -> Result<Figure, Error> {
         Axis::logarithmic("change by full friction, %", [1e-3, 1e2]),
     );
     panel.horizontal_guide(10.0, "measured: modulus of thin films too low", Side::Left);
-    for (((name, points), colour), (place, side)) in LINES
-        .iter()
-        .zip(&lines)
+    for (((name, points), colour), place) in LINES
+        .into_iter()
+        .zip(lines)
         .zip([VERMILION, BLUE, GREEN, PURPLE])
         .zip([
             (0.6, Side::Right),
@@ -107,10 +107,7 @@ pub fn figure() -> Result<Figure, Error> {
             (0.5, Side::Below),
         ])
     {
-        let named = points[(place * points.len() as f64) as usize];
-        panel
-            .line(points.clone(), colour)
-            .label(named, *name, colour, side);
+        panel.named(points, colour, name, place);
     }
     Ok(Figure::new(460, [panel]))
 }

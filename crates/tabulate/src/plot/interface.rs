@@ -71,11 +71,8 @@ pub fn figure() -> Result<Figure, Error> {
         Axis::logarithmic("load, 2 R F/(E_{1}* a³)", [1.0, 3e3]),
     );
     panel.horizontal_guide(8.0 / 3.0, "Hertz, thick film: 8/3", Side::Left);
-    for (points, (name, _, colour)) in lines.iter().zip(LINES) {
-        let last = points[points.len() - 1];
-        panel
-            .line(points.clone(), colour)
-            .label(last, name, colour, Side::Right);
+    for (points, (name, _, colour)) in lines.into_iter().zip(LINES) {
+        panel.named(points, colour, name, (1.0, Side::Right));
     }
     Ok(Figure::new(460, [panel]))
 }

@@ -113,15 +113,12 @@ pub fn figure() -> Result<Figure, Error> {
     panel
         .horizontal_guide(-2.0, "DMT, every film", Side::Left)
         .horizontal_guide(-1.5, "JKR, half-space", Side::Left);
-    for (((name, _), points), (colour, place, side)) in LINES.iter().zip(&lines).zip([
-        (BLUE, 0.55, Side::AboveLeft),
-        (GREEN, 0.42, Side::Below),
-        (VERMILION, 0.3, Side::Below),
+    for (((name, _), points), (colour, place)) in LINES.iter().zip(lines).zip([
+        (BLUE, (0.55, Side::AboveLeft)),
+        (GREEN, (0.42, Side::Below)),
+        (VERMILION, (0.3, Side::Below)),
     ]) {
-        let named = points[(place * points.len() as f64) as usize];
-        panel
-            .line(points.clone(), colour)
-            .label(named, *name, colour, side);
+        panel.named(points, colour, *name, place);
     }
     Ok(Figure::new(460, [panel]))
 }
