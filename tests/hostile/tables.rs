@@ -1,5 +1,6 @@
 //! Small tables with meaningless numbers, for tests of their bytes and of their look-up.
 
+use acceptance::with_payload;
 use contact::Contact;
 use interp::{
     Certificate, Description, Elastic, Error, Material, MaterialParameter, Parameter, Probe,
@@ -224,14 +225,7 @@ pub const PREFIX: usize = 24;
 
 /// Returns a payload after magic, version, length and checksum, without which it is not read.
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
-    let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
-    [
-        &b"COATTBL\n\x04\0\0\0"[..],
-        &length.to_le_bytes(),
-        &checksum.to_le_bytes(),
-        payload,
-    ]
-    .concat()
+    with_payload(b"COATTBL\n\x04\0\0\0", payload)
 }
 
 /// Looks up a material in the middle of the table's box, and asserts that quantities are positive

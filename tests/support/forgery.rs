@@ -1,27 +1,41 @@
-//! Forged packed tables: their length and checksum are right, so that readers look at the payload.
+//! Forged files of tables: their lengths and checksums are right, so that readers look at what is within.
 
-/// Computes the CRC-32 of zip and PNG, bit by bit.
-pub fn checksum(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0_u32, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-            if crc & 1 == 1 {
-                crc >> 1 ^ 0xedb8_8320
-            } else {
-                crc >> 1
-            }
-        })
-    })
-}
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
 
-/// Replaces the payload of the packed table `packed`, with its length and checksum.
+/// Replaces the payload of the packed table that begins with `packed`, with its length and checksum.
 pub fn with_payload(packed: &[u8], payload: &[u8]) -> Vec<u8> {
     [
         &packed[..12],
         &(payload.len() as u64).to_le_bytes(),
-        &checksum(payload).to_le_bytes(),
+        &crc32fast::hash(payload).to_le_bytes(),
         payload,
     ]
     .concat()
+}
+
+/// Changes bytes from a place on: a bit, by one, to a number of one to eight bytes, or to a copy of others.
+pub fn change(bytes: &mut [u8], at: usize, random: &mut Pcg64Mcg) {
+    let length = bytes.len();
+    let width = [1, 2, 4, 8][random.random_range(0..4)].min(length - at);
+    let number = match random.random_range(0..9) {
+        0 => 0,
+        1 => u64::MAX,
+        2 => 1 << random.random_range(0..64),
+        3 => length as u64,
+        4 => random.random_range(0..2 * length as u64),
+        5 => u64::from(bytes[at]) ^ 1 << random.random_range(0..8),
+        6 => u64::from(bytes[at])
+            .wrapping_add(random.random_range(0..3))
+            .wrapping_sub(1),
+        7 => random.random(),
+        _ => {
+            let from = random.random_range(0..length - width);
+            bytes.copy_within(from..from + width, at);
+            return;
+        }
+    };
+    bytes[at..at + width].copy_from_slice(&number.to_le_bytes()[..width]);
 }
 
 /// A part of an HDF5 file with a checksum of its structure.
@@ -96,41 +110,28 @@ impl Checked {
 /// Computes B. Jenkins' checksum `lookup3`, that of the structures of HDF5.
 fn lookup3(bytes: &[u8]) -> u32 {
     let start = 0xdead_beef_u32.wrapping_add(bytes.len() as u32);
-    let [mut a, mut b, mut c] = [start; 3];
-    let mut rest = bytes;
-    loop {
-        let mut block = [0; 12];
-        let count = rest.len().min(12);
-        block[..count].copy_from_slice(&rest[..count]);
-        let word = |i: usize| u32::from_le_bytes(std::array::from_fn(|k| block[4 * i + k]));
-        if count == 0 {
-            return c;
+    // The numbers change in turn, each by the one before it.
+    let mut sums = [start; 3];
+    let blocks = bytes.chunks(12).enumerate();
+    for (number, block) in blocks {
+        let is_last = 12 * number + block.len() == bytes.len();
+        let mut padded = [0; 12];
+        padded[..block.len()].copy_from_slice(block);
+        for (sum, word) in sums.iter_mut().zip(padded.chunks_exact(4)) {
+            *sum = sum.wrapping_add(u32::from_le_bytes(std::array::from_fn(|k| word[k])));
         }
-        a = a.wrapping_add(word(0));
-        b = b.wrapping_add(word(1));
-        c = c.wrapping_add(word(2));
-        if rest.len() <= 12 {
-            break;
+        if is_last {
+            for (i, turn) in [14, 11, 25, 16, 4, 14, 24].into_iter().enumerate() {
+                let [own, before] = [(i + 2) % 3, (i + 1) % 3];
+                sums[own] = (sums[own] ^ sums[before]).wrapping_sub(sums[before].rotate_left(turn));
+            }
+        } else {
+            for (i, turn) in [4, 6, 8, 16, 19, 4].into_iter().enumerate() {
+                let [own, next, before] = [i % 3, (i + 1) % 3, (i + 2) % 3];
+                sums[own] = sums[own].wrapping_sub(sums[before]) ^ sums[before].rotate_left(turn);
+                sums[before] = sums[before].wrapping_add(sums[next]);
+            }
         }
-        rest = &rest[12..];
-        a = a.wrapping_sub(c) ^ c.rotate_left(4);
-        c = c.wrapping_add(b);
-        b = b.wrapping_sub(a) ^ a.rotate_left(6);
-        a = a.wrapping_add(c);
-        c = c.wrapping_sub(b) ^ b.rotate_left(8);
-        b = b.wrapping_add(a);
-        a = a.wrapping_sub(c) ^ c.rotate_left(16);
-        c = c.wrapping_add(b);
-        b = b.wrapping_sub(a) ^ a.rotate_left(19);
-        a = a.wrapping_add(c);
-        c = c.wrapping_sub(b) ^ b.rotate_left(4);
-        b = b.wrapping_add(a);
     }
-    c = (c ^ b).wrapping_sub(b.rotate_left(14));
-    a = (a ^ c).wrapping_sub(c.rotate_left(11));
-    b = (b ^ a).wrapping_sub(a.rotate_left(25));
-    c = (c ^ b).wrapping_sub(b.rotate_left(16));
-    a = (a ^ c).wrapping_sub(c.rotate_left(4));
-    b = (b ^ a).wrapping_sub(a.rotate_left(14));
-    (c ^ b).wrapping_sub(b.rotate_left(24))
+    sums[2]
 }

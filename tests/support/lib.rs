@@ -25,7 +25,7 @@ pub use error::{
     TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative, relative_error,
     relative_errors,
 };
-pub use forgery::{Checked, checksum, with_payload};
+pub use forgery::{Checked, change, with_payload};
 pub use material::{
     half_space_of, looked_up, material, on_half_space, paper_system, rigid_probe, solved,
     solved_contact, system_of,
