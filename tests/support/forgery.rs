@@ -30,7 +30,7 @@ pub fn change(bytes: &mut [u8], at: usize, random: &mut Pcg64Mcg) {
             .wrapping_sub(1),
         7 => random.random(),
         _ => {
-            let from = random.random_range(0..length - width);
+            let from = random.random_range(0..=length - width);
             bytes.copy_within(from..from + width, at);
             return;
         }

@@ -53,7 +53,8 @@ usage: cargo xtask COMMAND
                  run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
   tools          fetch from PyPI now what tests, comparisons and the site would fetch when they run
-  cargo ARGS     run a cargo command, with HDF5 set up where it selects the whole workspace or tabulate: `cargo xtask cargo bench -p coated-contact-tabulate`
+  cargo ARGS     run a cargo command, with HDF5 set up where it selects the whole workspace or tabulate:
+                 `cargo xtask cargo bench -p coated-contact-tabulate`
 ";
 
 fn main() -> ExitCode {
