@@ -63,14 +63,15 @@ pub fn attended<'a, T: Send>(
             let calls = &mut calls;
             let asked = py.detach(move || calls.recv_timeout(TICK));
             goes_on = !matches!(asked, Err(RecvTimeoutError::Disconnected));
+            let raised = |_: &PyErr| interrupted.store(true, Ordering::Relaxed);
             heard = heard.and_then(|()| {
                 py.check_signals()?;
-                look()?;
-                asked.map_or(Ok(()), |call| call(py))
+                look()
             });
-            if heard.is_err() {
-                interrupted.store(true, Ordering::Relaxed);
-            }
+            // Before the call is dropped, which lets the work go on.
+            heard = heard.inspect_err(raised);
+            heard = heard.and_then(|()| asked.map_or(Ok(()), |call| call(py)));
+            heard = heard.inspect_err(raised);
         }
         let done = py.detach(|| worker.join());
         heard?;
