@@ -6,6 +6,7 @@
 use interp::Probe;
 use nalgebra::DVector;
 
+use super::lost_radii;
 use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
@@ -55,7 +56,7 @@ pub(crate) fn add(
     let explained = adhesion.map_or(0.0, |found| found.0.significance);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
-        if experiment.measurement.kind.is_stiffness() {
+        if experiment.measurement.kind.is_stiffness() || lost_radii::doubt(assigned).is_some() {
             continue;
         }
         let fitted = problem.parameters_of(e);

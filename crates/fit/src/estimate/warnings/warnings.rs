@@ -9,6 +9,7 @@ use super::assumptions;
 use super::cycle;
 use super::indentation;
 use super::interfaces;
+use super::lost_radii;
 use super::prior;
 use super::shape;
 use super::table_error;
@@ -354,6 +355,10 @@ fn outliers(
 ) {
     let experiments = fit.experiments.iter().zip(data).zip(unequal);
     for ((fitted, whole), unequal) in experiments {
+        if let Some(lost) = lost_radii::doubt(whole) {
+            warnings.push(lost);
+            continue;
+        }
         let far = fitted.points.iter().filter(|point| point.outlier);
         let far: Vec<u64> = far.map(|point| point.line).collect();
         if far.is_empty() {
