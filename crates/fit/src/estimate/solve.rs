@@ -330,6 +330,7 @@ fn result(
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
             uncertainty.undetermined(&problem.slot_names())
         }),
+        loss: options.loss,
         warnings: Vec::new(),
     };
     if let Some(uncertainty) = uncertainty {
