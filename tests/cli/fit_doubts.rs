@@ -302,3 +302,17 @@ fn radii_that_were_lost_or_exchanged_are_named() {
         "
     ));
 }
+
+/// Below 0.1 a chi^2 is a power of ten: two that are small are not both 0.
+#[test]
+fn a_small_chi_squared_has_digits() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let fit =
+        "fit data.csv --specimen paper --film-thickness 3e-5 --free work-of-adhesion --noise 1mN";
+    let report = workdir.run(fit).stdout;
+    assert_names(
+        &report,
+        "chi^2 is 5.; e-2 without the film, and 1.; e-4 with it",
+    );
+}

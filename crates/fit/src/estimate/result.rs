@@ -352,11 +352,12 @@ named! {
         Saturated = "saturated",
         /// Readings in steps that are coarse beside the noise.
         CoarseSteps = "coarse-steps",
-        /// Adhesion that is left out but wanted by the data.
+        /// Adhesion that is left out, and with which the model would describe the data better.
         AdhesionWanted = "adhesion-wanted",
-        /// A zero of the instrument that is not fitted but wanted by the data.
+        /// A zero of the instrument that is not fitted, and with which the model would describe the data better.
         OffsetWanted = "offset-wanted",
-        /// A spring in series with the contact, of the frame or of a cantilever of another stiffness, that the data want.
+        /// A spring in series with the contact, of the frame or of a cantilever of another stiffness, with which the model
+        /// would describe the data better.
         SpringWanted = "spring-wanted",
         /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
         /// its standard errors.

@@ -388,14 +388,14 @@ fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
     };
     let Some(bias) = without.modulus else {
         let number = |chi_squared: f64| {
-            if chi_squared < 1e7 {
+            if (0.1..1e7).contains(&chi_squared) {
                 format!("{chi_squared:.1}")
             } else {
                 format!("{chi_squared:.1e}")
             }
         };
         return Some(format!(
-            "without the {what} chi^2 is {} instead of {}",
+            "chi^2 is {} without the {what}, and {} with {it}",
             number(without.chi_squared),
             number(fit.chi_squared)
         ));

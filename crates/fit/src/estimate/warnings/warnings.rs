@@ -138,17 +138,17 @@ fn end_of_table(problem: &Problem<'_>, short: f64) -> Warning {
         let mut experiments = problem.experiments();
         let is_sphere = |one: &Experiment| one.bodies.end_of_exact_sphere().is_some();
         if experiments.clone().any(is_sphere) {
-            "the model has no contact beyond, or none that is solved: the exact sphere is solved on a film up to contact \
+            "beyond these values the contact does not exist or is not solved: the exact sphere is solved on a film up to contact \
              radii of 0.55 R; leave out the points of wider contacts, fix a parameter, or give it another start"
         } else if experiments.any(|one| one.relaxing.is_some()) {
-            "the model has no contact beyond, because no history begins in contact, or because it is not solved; keep more \
+            "beyond these values the contact does not exist, because no history begins in contact, or is not solved; keep more \
              points from before the contact, or fix a parameter"
         } else {
-            "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
+            "beyond these values the contact does not exist or is not solved; fix a parameter, or give it another start"
         }
     };
     WarningKind::EndOfTable.with(format!(
-        "the fit ended {short:.1} standard errors from the least squares: {reason}"
+        "the fit stopped {short:.1} standard errors before the smallest sum of squares: {reason}"
     ))
 }
 
@@ -267,7 +267,7 @@ fn at_bounds(warnings: &mut Vec<Warning>, problem: &Problem<'_>, names: &[String
             let why = if value - least < NEAR_END || most - value < NEAR_END {
                 "the end of what is possible, and its standard error does not hold there: fix it there, or give it a prior"
             } else {
-                "its bound: the data want a value beyond it"
+                "its bound: a value beyond it would describe the data better"
             };
             let name = &names[i];
             warnings
