@@ -195,6 +195,11 @@ fn bounds_and_priors_hold() {
     let prior = "lens.csv --prior load-offset=0+-1e-12";
     let found = fit(&workdir, &LENS, prior);
     assert_near(number(&found, "parameters/load_offset/value"), 0.0, 1e-10);
+    // The report states them.
+    let flags = "--bounds sphere-modulus=0.5MPa..4MPa --prior work-of-adhesion=45mJ/m^2+-10mJ/m^2 --robust huber";
+    let report = workdir.succeed(format!("fit lens.csv {} {} {flags}", LENS.system, LENS.fit));
+    let words = "E2*, bounds 0.5 to 4 MPa\n; mJ/m^2, prior 45 +- 10 mJ/m^2\n; robust: Huber's loss, threshold 1.345\n";
+    assert_names(&report, words);
 }
 
 #[test]

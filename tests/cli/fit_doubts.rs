@@ -249,3 +249,70 @@ fn a_table_that_misses_its_tolerance_is_told_of() {
     let words = "missed.h5 misses its tolerance of 1.0e-9; embedded";
     assert_names(&run.stderr, words);
 }
+
+/// Frames of a video without a radius have the radius 0; a file of which the headings are exchanged has loads for radii.
+#[test]
+fn radii_that_were_lost_or_exchanged_are_named() {
+    let workdir = workdir!();
+    let bodies = "--half-space --sphere-radius 2mm --film-modulus 70GPa --film-poisson-ratio 0.25";
+    workdir.simulate(format!(
+        "{bodies} --sphere-modulus 3MPa --work-of-adhesion 40mJ/m^2 --kind load-radius --from 70um --to 300um --points 60 \
+         --noise 3uN -o whole.csv"
+    ));
+    let text = String::from_utf8(workdir.read("whole.csv")).expect("text");
+    let rows: Vec<(&str, &str)> = text
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .filter_map(|line| line.split_once(','))
+        .collect();
+    let lost = |(i, &(radius, load)): (usize, &(&str, &str))| match i {
+        20 | 30 | 40 => format!("0,{load}\n"),
+        _ => format!("{radius},{load}\n"),
+    };
+    workdir.write(
+        "lost.csv",
+        rows.iter().enumerate().map(lost).collect::<String>(),
+    );
+    let in_units = |text: &str, size: f64| text.parse::<f64>().expect("a number") / size;
+    let exchanged = |&(radius, load): &(&str, &str)| {
+        format!("{},{}\n", in_units(load, 1e-3), in_units(radius, 1e-6))
+    };
+    let headings = "contact radius (um),load (mN)\n".to_owned();
+    let pressed = rows[1..].iter().filter(|row| !row.1.starts_with('-'));
+    workdir.write(
+        "exchanged.csv",
+        headings.clone() + &pressed.map(exchanged).collect::<String>(),
+    );
+    workdir.write(
+        "tension.csv",
+        headings + &rows[1..].iter().map(exchanged).collect::<String>(),
+    );
+    let report = workdir
+        .run(format!("fit lost.csv {bodies} --noise 3uN"))
+        .stdout;
+    assert_names(
+        &report,
+        "radius is 0 in 3 of 60 rows; in lines 21, 31, 41: leave out the rows",
+    );
+    assert!(!report.contains("load-offset is not fitted"), "{report}");
+    workdir.refuses(format!(
+        "
+        1 | fit exchanged.csv {bodies} | the load grows as the power 0.; columns exchanged
+        1 | fit tension.csv {bodies} | exchange the headings
+        "
+    ));
+}
+
+/// Below 0.1 a chi^2 is a power of ten: two that are small are not both 0.
+#[test]
+fn a_small_chi_squared_has_digits() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let fit =
+        "fit data.csv --specimen paper --film-thickness 3e-5 --free work-of-adhesion --noise 1mN";
+    let report = workdir.run(fit).stdout;
+    assert_names(
+        &report,
+        "chi^2 is 5.; e-2 without the film, and 1.; e-4 with it",
+    );
+}

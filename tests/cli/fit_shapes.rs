@@ -24,6 +24,20 @@ fn the_adhesion_of_a_flat_punch_is_that_of_its_pull_off() {
             "1 | fit punch.csv {bodies} {free} | {names}; until it pulls off; --work-of-adhesion 1J/m^2; pull-off --load"
         ));
     }
+    workdir.refuses(format!(
+        "1 | fit punch.csv {bodies} --friction stick --work-of-adhesion 1J/m^2 --free film-modulus | punch.csv: a flat punch; \
+         fit it without friction; names the modulus with full friction"
+    ));
+    // Rounding makes some standard error finite where points before the pull-off are left out.
+    let wide = "--probe flat-punch --sphere-radius 0.5mm --sphere-modulus inf --film-thickness 100um --film-poisson-ratio 0.5 \
+         --substrate-modulus 70GPa --substrate-poisson-ratio 0.2";
+    workdir.simulate(format!(
+        "--kind load-penetration --from=-12um --to 4um --points 90 --noise 200uN --seed 5 {wide} --film-modulus 50kPa \
+         --work-of-adhesion 100mJ/m^2 -o wide.csv"
+    ));
+    workdir.refuses(format!(
+        "1 | fit wide.csv {wide} | determine work-of-adhesion; until it pulls off"
+    ));
     // The stiffness tells the modulus.
     let object = workdir.json(format!(
         "fit punch.csv {bodies} --free film-modulus --work-of-adhesion 1mJ/m^2 --json"

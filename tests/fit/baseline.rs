@@ -6,8 +6,8 @@ use fit::{Bodies, Branch, Experiment, Fit, Kind, Parameter, WarningKind};
 use interp::Probe;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, fitted, measurement_of,
-    off as off_by,
+    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, assert_warns, fitted, free_of,
+    measurement_of, off as off_by,
 };
 
 /// The parameters of a force curve without adhesion.
@@ -151,4 +151,35 @@ fn a_contact_that_is_straight_to_its_end_is_no_baseline() {
     experiment.work_of_adhesion = 1.0;
     let branches = experiment.branches(&[Parameter::FilmModulus, Parameter::BaselineSlope]);
     assert_eq!(branches.expect("sound"), [Branch::Advancing; 100]);
+}
+
+/// Where a retract ends at its largest tension, its end is as flat as a baseline. A baseline that goes on tells it.
+#[test]
+fn the_largest_tension_at_the_end_of_a_retract_is_doubted() {
+    let mut probe = Imagined::probe(Course::Retract, 2e-3, &FORCE_CURVE);
+    probe.truth.stiffness = Some(20.0);
+    probe.truth.baseline = 0.0;
+    probe.noise = 1.5e-8;
+    probe.radii = [5e-6, 12e-6];
+    let fitted = |baseline: usize, seed: u64, free: &[Parameter]| {
+        let probe = Imagined {
+            points: [60, baseline],
+            ..probe.clone()
+        };
+        fitted(&probe.measured(&probe.exact(), seed), &free_of(free))
+    };
+    for seed in [1, 3, 4, 5] {
+        let found = fitted(0, seed, &FORCE_CURVE);
+        let words = "baseline; -1.; may be the largest tension; keep the baseline fixed at 0";
+        assert_warns(&found, WarningKind::ZeroNotSeen, words);
+        // It is 1.9e-7 N.
+        assert!(off_by(&found, Parameter::WorkOfAdhesion, 2e-3) < -5.0);
+        let found = fitted(0, seed, &FORCE_CURVE[..3]);
+        let words = "no point is off contact; 1 % of the largest load; free baseline";
+        assert_warns(&found, WarningKind::ZeroNotSeen, words);
+        assert!(off_by(&found, Parameter::WorkOfAdhesion, 2e-3).abs() < 4.0);
+        for free in [&FORCE_CURVE[..], &FORCE_CURVE[..3]] {
+            assert_silent(&fitted(60, seed, free), WarningKind::ZeroNotSeen);
+        }
+    }
 }

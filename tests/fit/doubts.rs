@@ -425,7 +425,7 @@ fn adhesion_that_is_left_out_is_named_before_any_zero() {
         let mut experiment = imagined.measured(&imagined.exact(), 1);
         experiment.work_of_adhesion = 0.0;
         let found = fitted_of_few(&experiment, &imagined.free);
-        let words = "work-of-adhesion is 0; the data want adhesion; free it";
+        let words = "work-of-adhesion is 0; adhesion would describe the data better; free it";
         assert_warns(&found, WarningKind::AdhesionWanted, words);
         assert_silent(&found, WarningKind::OffsetWanted);
     }
@@ -454,7 +454,7 @@ fn adhesion_that_is_left_out_is_named_before_any_zero() {
         let mut experiment = probe.measured(&probe.exact(), 1);
         experiment.work_of_adhesion = 0.0;
         let found = fitted_of_few(&experiment, &probe.free);
-        let words = "work-of-adhesion is 0; the data want adhesion; free it";
+        let words = "work-of-adhesion is 0; adhesion would describe the data better; free it";
         assert_warns(&found, WarningKind::AdhesionWanted, words);
     }
     // A contact point that is fixed wrongly explains the data better.

@@ -101,7 +101,7 @@ fn a_noise_that_errors_of_the_abscissae_hide_is_doubted_and_no_point_draws_the_f
         let said = text(&found, WarningKind::NoiseNotSeen);
         assert_names(
             &said,
-            "noise of the load; contact radius; beyond the number of parameters; Give the noise",
+            "noise of the load; contact radius; degree; of freedom; Give the noise",
         );
         doubted += usize::from(found.warns_of(WarningKind::LargeNoise));
         let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
@@ -110,7 +110,7 @@ fn a_noise_that_errors_of_the_abscissae_hide_is_doubted_and_no_point_draws_the_f
             usize::from((low..=high).contains(&truth))
         };
         within += holds(1.96);
-        told += holds(number_after(&said, "may need up to "));
+        told += holds(number_after(&said, "true values lie within "));
     }
     // Errors that are 1.2 times too small would make it 338 of the 400.
     assert!(within >= 340, "{within}");

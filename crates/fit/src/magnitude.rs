@@ -215,6 +215,8 @@ mod tests {
                 value,
                 standard_error,
                 profile: None,
+                prior: None,
+                bounds: None,
             });
             found.expect("no film is as thick").to_string()
         };

@@ -73,6 +73,13 @@ impl Shape {
             Probe::PowerLaw { exponent, .. } => exponent == 2.0,
             _ => false,
         };
+        if curve.stick().is_some() && probe.is_flat_punch() {
+            return Err(Error::Sticks {
+                question: "the contact of a flat punch",
+                reason: "friction multiplies its load at a penetration by one number, eeq_s/eeq: take a curve without \
+                         friction, and this number from a solve of the punch that sticks",
+            });
+        }
         if curve.stick().is_some() && !paraboloid {
             return Err(Error::Sticks {
                 question: "the contact of another probe than a paraboloid",

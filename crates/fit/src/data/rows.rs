@@ -323,7 +323,8 @@ impl Rows<'_> {
             };
             if assignment.kind.at_radii() && abscissa < 0.0 {
                 let what = format!(
-                    "contact radius = {abscissa:?} m must not be below 0; a row without contact has 0"
+                    "contact radius = {abscissa:?} m must not be below 0; a row without contact has 0. If the numbers \
+                     are loads, exchange the headings of the two columns"
                 );
                 return Err(failure(pair.abscissa.index, what));
             }

@@ -1,6 +1,6 @@
 //! The result of a fit.
 
-use crate::{Branch, Fixed, LossAngle, Parameter};
+use crate::{Branch, Fixed, Loss, LossAngle, Parameter, Prior};
 
 /// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub struct Fit {
     /// What the values taken as given do to the result: those with a known error, and all if
     /// [`Options::fixed_values`](crate::Options::fixed_values) asks for them.
     pub fixed_values: Vec<FixedValue>,
+    /// The loss that was made least.
+    pub loss: Loss,
     /// The doubts about the result.
     pub warnings: Vec<Warning>,
 }
@@ -75,6 +77,10 @@ pub struct Estimate {
     /// warning gives the reason: [`WarningKind::OpenInterval`], or [`WarningKind::AtBound`] of a work of
     /// adhesion that ended at 0.
     pub profile: Option<[f64; 2]>,
+    /// The prior and the bounds that were given.
+    pub prior: Option<Prior>,
+    /// See [`prior`](Self::prior).
+    pub bounds: Option<[f64; 2]>,
 }
 
 impl Estimate {
@@ -86,6 +92,8 @@ impl Estimate {
             value: factor * self.value,
             standard_error: factor * self.standard_error,
             profile: self.profile.map(|ends| ends.map(|end| factor * end)),
+            prior: None,
+            bounds: None,
             ..*self
         }
     }
@@ -344,11 +352,12 @@ named! {
         Saturated = "saturated",
         /// Readings in steps that are coarse beside the noise.
         CoarseSteps = "coarse-steps",
-        /// Adhesion that is left out but wanted by the data.
+        /// Adhesion that is left out, and with which the model would describe the data better.
         AdhesionWanted = "adhesion-wanted",
-        /// A zero of the instrument that is not fitted but wanted by the data.
+        /// A zero of the instrument that is not fitted, and with which the model would describe the data better.
         OffsetWanted = "offset-wanted",
-        /// A spring in series with the contact, of the frame or of a cantilever of another stiffness, that the data want.
+        /// A spring in series with the contact, of the frame or of a cantilever of another stiffness, with which the model
+        /// would describe the data better.
         SpringWanted = "spring-wanted",
         /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
         /// its standard errors.

@@ -20,13 +20,20 @@ use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Branch, Direction, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
-    Options, Parameter, Undetermined, WarningKind, WithoutFilm,
+    Options, Parameter, Solver, Undetermined, WarningKind, WithoutFilm,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
 const OUTLIER: f64 = 5.0;
 /// The number of standard errors from the least squares beyond which a fit that contacts have stopped is none.
 const FAR: f64 = 10.0;
+/// The standard error of the work of adhesion of a flat punch, over its value, from which on it is none: it rests on the
+/// rounding of a load that does not depend on it.
+const NO_ERROR: f64 = 100.0;
+/// Why no flat punch is fitted with full friction.
+const STICKING_PUNCH: &str = "a flat punch is fitted without friction only. Full friction multiplies its load at each \
+     penetration by one number: fit it without friction, and where nothing but the film deforms, the warning about friction \
+     names the modulus with full friction";
 /// The most minima that intervals may replace by lower ones.
 const MOST_RESTARTS: usize = 8;
 
@@ -144,19 +151,21 @@ fn freedom(problem: &Problem<'_>) -> (usize, bool) {
 /// Accepts a minimum whose values all have finite errors, or one that the result calls none.
 fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
     let problem = &found.problem;
-    let open = with_error(found, |error| !error.is_finite());
+    let is_punch = |one: &Assigned| one.experiment.bodies.probe.is_flat_punch();
+    let are_punches = problem.assigned.iter().all(is_punch);
+    let open = with_error(found, |parameter, error| {
+        let is_of_punch = are_punches && parameter.is_work_of_adhesion();
+        !error.is_finite() || (is_of_punch && error > NO_ERROR)
+    });
     if problem.ending != Ending::Converged || found.uncertainty.is_none() || open.is_empty() {
         return Ok(());
     }
-    let is_punch = |one: &Assigned| one.experiment.bodies.probe.is_flat_punch();
     let recedes = |one: &Experiment| {
         let mut points = one.measurement.points.iter();
         points.any(|point| point.direction == Some(Direction::Retract))
     };
     let mut parameters = open.iter().map(|&slot| problem.slots[slot].parameter);
-    let why = if parameters.clone().all(Parameter::is_work_of_adhesion)
-        && problem.assigned.iter().all(is_punch)
-    {
+    let why = if are_punches && parameters.clone().all(Parameter::is_work_of_adhesion) {
         Undetermined::PullOffOnly
     } else if parameters.all(|one| one == Parameter::WorkOfAdhesionReceding)
         && !problem.experiments().any(recedes)
@@ -173,7 +182,7 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
 
 /// Returns the error of bodies that do not relax, or that of the data where they do not determine how the others do.
 fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
-    let open = with_error(found, |error| error > UNDETERMINED);
+    let open = with_error(found, |_, error| error > UNDETERMINED);
     match error {
         Error::History(cause @ HistoryError::UnlikeBodies { .. }) if !open.is_empty() => {
             let parameters = names_of(&found.problem, &open);
@@ -187,10 +196,13 @@ fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
 }
 
 /// Lists the slots whose relative standard error `is` such; all, where no error is known.
-fn with_error(found: &Minimum<'_>, is: impl Fn(f64) -> bool) -> Vec<usize> {
+fn with_error(found: &Minimum<'_>, is: impl Fn(Parameter, f64) -> bool) -> Vec<usize> {
     let of_slot = |&slot: &usize| {
-        let uncertainty = found.uncertainty.as_ref();
-        uncertainty.is_none_or(|own| is(own.relative_error(slot)))
+        let (uncertainty, parameter) = (
+            found.uncertainty.as_ref(),
+            found.problem.slots[slot].parameter,
+        );
+        uncertainty.is_none_or(|own| is(parameter, own.relative_error(slot)))
     };
     (0..found.problem.slots.len()).filter(of_slot).collect()
 }
@@ -217,6 +229,10 @@ pub(crate) fn prepare(
             return Err(Error::too_few_points(0, free.len()));
         }
         experiment.accept_errors()?;
+        let bodies = &experiment.bodies;
+        if bodies.probe.is_flat_punch() && matches!(bodies.solver, Solver::Stick { .. }) {
+            return Err(experiment.not_fitted(STICKING_PUNCH));
+        }
         for work in Parameter::WORKS {
             let value = experiment.get(work);
             if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
@@ -314,6 +330,7 @@ fn result(
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
             uncertainty.undetermined(&problem.slot_names())
         }),
+        loss: options.loss,
         warnings: Vec::new(),
     };
     if let Some(uncertainty) = uncertainty {

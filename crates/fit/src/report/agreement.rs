@@ -1,7 +1,7 @@
 //! How well a fit agrees with the data: chi^2 and the noise.
 
 use super::unit::three_digits;
-use crate::{Experiment, Fit};
+use crate::{Experiment, Fit, Loss};
 
 /// Says how well the fit agrees with the data.
 pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
@@ -26,11 +26,16 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         format!("{noise}{ordinate}{abscissa}")
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
+    let loss = match fit.loss {
+        Loss::Squares => String::new(),
+        Loss::Huber { threshold } => format!("; robust: Huber's loss, threshold {threshold}"),
+        Loss::SoftL1 { threshold } => format!("; robust: soft L1 loss, threshold {threshold}"),
+    };
     let freedom = fit.degrees_of_freedom;
     let plural = if freedom == 1 { "" } else { "s" };
     let freedom = format!("{freedom} degree{plural} of freedom");
     match fit.reduced_chi_squared {
-        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
-        None => format!("noise {noise}; {freedom}"),
+        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}{loss}"),
+        None => format!("noise {noise}; {freedom}{loss}"),
     }
 }

@@ -6,7 +6,7 @@ use interp::{Elastic, Probe};
 
 use super::agreement::agreement;
 use super::name::{NAME, name};
-use super::unit::{UnitOf, scaled, value};
+use super::unit::{UnitOf, given, scaled, value};
 use super::{fixed_values, indentation, relaxing};
 use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
@@ -350,7 +350,8 @@ fn estimates(
     let name = |estimate: &Estimate| name(estimate, files);
     for estimate in estimates {
         let (value, modulus) = (value(estimate, asked), which_modulus(estimate.parameter));
-        *out += &format!("  {:<NAME$} {value}{modulus}\n", name(estimate));
+        let given = given(estimate, asked);
+        *out += &format!("  {:<NAME$} {value}{modulus}{given}\n", name(estimate));
     }
     if estimates.len() > 1 {
         *out += "\ncorrelation\n";
@@ -387,14 +388,14 @@ fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
     };
     let Some(bias) = without.modulus else {
         let number = |chi_squared: f64| {
-            if chi_squared < 1e7 {
+            if (0.1..1e7).contains(&chi_squared) {
                 format!("{chi_squared:.1}")
             } else {
                 format!("{chi_squared:.1e}")
             }
         };
         return Some(format!(
-            "without the {what} chi^2 is {} instead of {}",
+            "chi^2 is {} without the {what}, and {} with {it}",
             number(without.chi_squared),
             number(fit.chi_squared)
         ));

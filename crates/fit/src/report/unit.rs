@@ -118,6 +118,21 @@ pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
     text
 }
 
+/// Returns the prior and the bounds that were given of an estimate, after a comma each.
+pub fn given(estimate: &Estimate, asked: &[UnitOf]) -> String {
+    let both = |word: &str, [one, other]: [f64; 2], between: &str| {
+        let (unit, size) = unit(estimate.parameter, one.abs().max(other.abs()), 0.0, asked);
+        let [one, other] = [one, other].map(|value| (value / size * 1e9).round() / 1e9);
+        let text = format!(", {word} {one} {between} {other} {unit}");
+        text.trim_end().to_owned()
+    };
+    let prior = estimate
+        .prior
+        .map(|one| both("prior", [one.mean, one.width], "+-"));
+    let bounds = estimate.bounds.map(|ends| both("bounds", ends, "to"));
+    prior.into_iter().chain(bounds).collect()
+}
+
 pub fn three_digits(value: f64, unit: &str) -> String {
     let (unit, size) = scaled(unit, value);
     let number = value / size;

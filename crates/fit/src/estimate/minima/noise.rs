@@ -249,10 +249,8 @@ pub(crate) fn add(
             let [abscissa, ordinate] = experiment.measurement.kind.names();
             warnings.push(WarningKind::NoiseNotSeen.with(format!(
                 "{}: the noise of the {ordinate} is estimated, and the errors given for the \
-                 {abscissa} hide it at most points. What is left tells the noise as well as \
-                 {freedom} point{} beyond the number of parameters would: 95 % of the true values \
-                 may need up to {within:.1} standard errors instead of 2. Give the noise of the \
-                 {ordinate}, too",
+                 {abscissa} are larger at most points. The few others determine it only as well as {freedom} degree{} of freedom: \
+                 95 % of the true values lie within {within:.1} standard errors, not 2. Give the noise of the {ordinate}, too",
                 experiment.measurement.name,
                 if freedom == 1 { "" } else { "s" }
             )));

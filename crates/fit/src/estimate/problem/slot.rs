@@ -22,6 +22,8 @@ pub(crate) struct Slot {
     /// Whether the start was given, and is not sought in the data.
     pub is_given: bool,
     pub prior: Option<Prior>,
+    /// The bounds that were given.
+    pub bounds: Option<[f64; 2]>,
     pub coordinate: Coordinate,
 }
 
@@ -47,6 +49,7 @@ impl Slot {
     pub fn without_limits(&self, start: f64) -> Self {
         Self {
             prior: None,
+            bounds: None,
             coordinate: self.coordinate.without_bounds().starting_from(start),
             ..self.clone()
         }
@@ -207,6 +210,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             experiment,
             is_given: one.start.is_some(),
             prior: one.prior,
+            bounds: one.bounds,
             coordinate: Coordinate {
                 positive: one.parameter.is_positive(),
                 start,

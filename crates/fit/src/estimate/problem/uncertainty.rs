@@ -192,6 +192,8 @@ pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>
             uncertainty.relative_error(i) * uncertainty.sizes[i]
         }),
         profile: None,
+        prior: slot.prior,
+        bounds: slot.bounds,
     };
     problem.slots.iter().enumerate().map(estimate).collect()
 }

@@ -25,6 +25,33 @@ const NO_START: &str = "JKR finds no positive modulus in these data; check units
      not known to be 0, such as contact-point and baseline; give the noise, which few points do not tell, and one that \
      is smaller than the loads; or give a start";
 
+/// Asks whether the columns are exchanged, where loads grow much more slowly than contact radii.
+fn exchanged(experiment: &Experiment) -> Option<String> {
+    /// The power that tells, far below the 3 of Hertz, and the fewest points.
+    const SLOW: f64 = 0.7;
+    const FEWEST: usize = 5;
+    let measurement = &experiment.measurement;
+    let points = measurement.points.iter();
+    let pressed = points.filter(|point| point.abscissa > 0.0 && point.ordinate > 0.0);
+    let pairs = pressed.map(|point| [point.abscissa.ln(), point.ordinate.ln()]);
+    let pairs: Vec<[f64; 2]> = pairs.collect();
+    let means = [0, 1].map(|k| pairs.iter().map(|pair| pair[k]).sum::<f64>() / pairs.len() as f64);
+    let sum = |k: usize| {
+        let products = pairs
+            .iter()
+            .map(|pair| (pair[0] - means[0]) * (pair[k] - means[k]));
+        products.sum::<f64>()
+    };
+    let power = sum(1) / sum(0);
+    let is_slow = measurement.kind == Kind::LoadRadius && pairs.len() >= FEWEST && power < SLOW;
+    (is_slow && power > 0.0).then(|| {
+        format!(
+            "the load grows as the power {power:.1} of the contact radius, and that of a contact as 3: are the columns \
+             exchanged? "
+        )
+    })
+}
+
 /// How a start differs from the one that the data show first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Variation {
@@ -93,7 +120,8 @@ pub(crate) fn problem<'a>(
         // The law that fits best also tells modulus and contact point.
         let is_relaxing = one.experiment.relaxing.is_some();
         if !is_stiffness && !is_relaxing && found.is_none() && is_needed {
-            return Err(one.experiment.not_fitted(NO_START));
+            let exchanged = exchanged(&one.experiment).unwrap_or_default();
+            return Err(one.experiment.not_fitted(format!("{exchanged}{NO_START}")));
         }
         if let Variation::Thickness(part) = variation {
             let largest = match &found {

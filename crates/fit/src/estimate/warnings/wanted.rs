@@ -1,4 +1,4 @@
-//! Parameters that are not fitted but wanted by the data.
+//! Parameters that are not fitted, and with which the model would describe the data better.
 //!
 //! The gain of a further parameter is the decrease of the sum of squares that the linearised model
 //! predicts for it (Rao's score test). No further fit is made.
@@ -6,6 +6,7 @@
 use interp::Probe;
 use nalgebra::DVector;
 
+use super::lost_radii;
 use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
@@ -46,8 +47,8 @@ pub(crate) fn add(
     };
     if let Some((gain, work)) = &adhesion {
         warnings.push(WarningKind::AdhesionWanted.with(format!(
-            "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
-             be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
+            "work-of-adhesion is 0 and not fitted, but adhesion would describe the data better: it would lower chi^2 by \
+             {:.0}, with a work of adhesion of some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
              the probe, the zeros of the instrument that are fixed, and whether the film slides or relaxes",
             gain.chi_squared
         )));
@@ -55,7 +56,7 @@ pub(crate) fn add(
     let explained = adhesion.map_or(0.0, |found| found.0.significance);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
-        if experiment.measurement.kind.is_stiffness() {
+        if experiment.measurement.kind.is_stiffness() || lost_radii::doubt(assigned).is_some() {
             continue;
         }
         let fitted = problem.parameters_of(e);
@@ -104,8 +105,8 @@ fn zeros_wanted(
         if gain.is_significant() {
             level_named |= is_level;
             warnings.push(WarningKind::OffsetWanted.with(format!(
-                "{name}: {parameter} is not fitted, but the data want it: it would lower \
-                 chi^2 by {:.0}, and be {:+.2e} {}; free it",
+                "{name}: {parameter} is not fitted, and with it the model would describe the data better: \
+                 chi^2 would be lower by {:.0}, with {parameter} at {:+.2e} {}; free it",
                 gain.chi_squared,
                 gain.change,
                 parameter.unit()
@@ -435,10 +436,10 @@ impl<'a> Score<'a> {
             && gain.is_significant()
         {
             return Some(WarningKind::MixedBranches.with(format!(
-                "{name}: loading and unloading do not have one work of adhesion: two would lower \
-                 chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
-                gain.chi_squared,
-                gain.change.abs()
+                "{name}: loading and unloading do not have one work of adhesion: with one for \
+                 each of them, {:.2e} J/m^2 apart, chi^2 would be lower by {:.0}; {advice}",
+                gain.change.abs(),
+                gain.chi_squared
             )));
         }
         let rows = &problem.rows_of_experiments()[e];

@@ -9,6 +9,7 @@ use super::assumptions;
 use super::cycle;
 use super::indentation;
 use super::interfaces;
+use super::lost_radii;
 use super::prior;
 use super::shape;
 use super::table_error;
@@ -137,17 +138,17 @@ fn end_of_table(problem: &Problem<'_>, short: f64) -> Warning {
         let mut experiments = problem.experiments();
         let is_sphere = |one: &Experiment| one.bodies.end_of_exact_sphere().is_some();
         if experiments.clone().any(is_sphere) {
-            "the model has no contact beyond, or none that is solved: the exact sphere is solved on a film up to contact \
+            "beyond these values the contact does not exist or is not solved: the exact sphere is solved on a film up to contact \
              radii of 0.55 R; leave out the points of wider contacts, fix a parameter, or give it another start"
         } else if experiments.any(|one| one.relaxing.is_some()) {
-            "the model has no contact beyond, because no history begins in contact, or because it is not solved; keep more \
+            "beyond these values the contact does not exist, because no history begins in contact, or is not solved; keep more \
              points from before the contact, or fix a parameter"
         } else {
-            "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
+            "beyond these values the contact does not exist or is not solved; fix a parameter, or give it another start"
         }
     };
     WarningKind::EndOfTable.with(format!(
-        "the fit ended {short:.1} standard errors from the least squares: {reason}"
+        "the fit stopped {short:.1} standard errors before the smallest sum of squares: {reason}"
     ))
 }
 
@@ -266,7 +267,7 @@ fn at_bounds(warnings: &mut Vec<Warning>, problem: &Problem<'_>, names: &[String
             let why = if value - least < NEAR_END || most - value < NEAR_END {
                 "the end of what is possible, and its standard error does not hold there: fix it there, or give it a prior"
             } else {
-                "its bound: the data want a value beyond it"
+                "its bound: a value beyond it would describe the data better"
             };
             let name = &names[i];
             warnings
@@ -354,6 +355,10 @@ fn outliers(
 ) {
     let experiments = fit.experiments.iter().zip(data).zip(unequal);
     for ((fitted, whole), unequal) in experiments {
+        if let Some(lost) = lost_radii::doubt(whole) {
+            warnings.push(lost);
+            continue;
+        }
         let far = fitted.points.iter().filter(|point| point.outlier);
         let far: Vec<u64> = far.map(|point| point.line).collect();
         if far.is_empty() {

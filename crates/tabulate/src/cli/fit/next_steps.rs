@@ -94,7 +94,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         }
     }
     let wanted = format!(
-        "a zero that the data want: its name as the last of the list, --free {},NAME",
+        "to fit a zero that a warning names, write its name in place of NAME: --free {},NAME",
         Parameter::names(found).replace(", ", ",")
     );
     let wants = applies(WarningKind::OffsetWanted) || applies(WarningKind::OffsetHinted);
