@@ -1,6 +1,6 @@
 //! The flags that follow from the warnings of a fit.
 
-use ::fit::{Experiment, Fit, Parameter, WarningKind};
+use ::fit::{Experiment, Fit, Kind, Parameter, WarningKind};
 
 /// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
 const WAYS: [&str; 2] = [
@@ -86,6 +86,14 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
+    let is_course = |one: &Experiment| {
+        [Kind::LoadPenetration, Kind::ForceHeight].contains(&one.measurement.kind)
+    };
+    let may_begin_early = applies(WarningKind::PoorFit) && experiments.iter().any(is_course);
+    steps.extend(may_begin_early.then_some(
+        "a force that acts before the contact (a brush, charges, the liquid): --between keeps the positions where it is small \
+         beside the load; with contact-point and baseline free, does the modulus change?",
+    ));
     // Each once, though each file may have its own.
     let mut found: Vec<Parameter> = Vec::new();
     for one in &fit.estimates {
