@@ -1,6 +1,6 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
-//! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
+//! They need Rust, a C compiler and python3 >= 3.11 with pip. All else is fetched from PyPI into the target
 //! directory: cmake to build libhdf5 where no library is installed, and the packages of tests, benches and builds.
 //! Nothing is installed on the system. The tests of the report's page run in Chromium, and are
 //! skipped, with a message, where there is none.

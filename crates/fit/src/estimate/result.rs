@@ -77,9 +77,9 @@ pub struct Estimate {
     /// warning gives the reason: [`WarningKind::OpenInterval`], or [`WarningKind::AtBound`] of a work of
     /// adhesion that ended at 0.
     pub profile: Option<[f64; 2]>,
-    /// The prior and the bounds that were given.
+    /// The prior that was given.
     pub prior: Option<Prior>,
-    /// See [`prior`](Self::prior).
+    /// The bounds that were given.
     pub bounds: Option<[f64; 2]>,
 }
 

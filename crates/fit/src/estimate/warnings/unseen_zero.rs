@@ -134,13 +134,9 @@ pub(crate) fn add(
                 experiment.measurement.name
             )));
         }
-        let is_free = |e| {
-            problem
-                .parameters_of(e)
-                .iter()
-                .any(|one| LEVELS.contains(one))
-        };
-        let Some(zero) = unseen(assigned).filter(|_| !is_free(e) && !known.iter().any(is_known))
+        let found = problem.parameters_of(e);
+        let is_found = found.iter().any(|one| LEVELS.contains(one));
+        let Some(zero) = unseen(assigned).filter(|_| !is_found && !known.iter().any(is_known))
         else {
             continue;
         };
