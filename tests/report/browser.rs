@@ -1,11 +1,12 @@
 //! Runs a page in Chromium.
 //!
 //! The harness in a page runs to its end before the page's `load` event, and Chromium writes the
-//! page after this event. No clock, timeout or retry takes part: a slow machine only takes longer.
+//! page after this event. No clock or timeout takes part: a slow machine only takes longer.
 
 use std::env;
+use std::ffi::OsStr;
 use std::io::{Write, stderr};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::thread;
 
 use base64::Engine;
@@ -13,7 +14,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
 
 /// The options of Chromium: no window, no network, nothing but the page.
-const OPTIONS: [&str; 13] = [
+const OPTIONS: [&str; 12] = [
     "--headless",
     "--no-sandbox",
     "--disable-gpu",
@@ -22,8 +23,6 @@ const OPTIONS: [&str; 13] = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
-    // Containers have little shared memory.
-    "--disable-dev-shm-usage",
     // Without these two, Chromium gives up on a page that takes long.
     "--disable-hang-monitor",
     "--disable-gpu-watchdog",
@@ -50,19 +49,14 @@ fn seen_at(page: &str, width: u32) -> Option<String> {
         );
         return None;
     };
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("report.html");
-    std::fs::write(&path, page).expect("written");
-    let output = Command::new(chromium)
-        .args(OPTIONS)
-        .arg(format!("--window-size={width},900"))
-        .arg(format!(
-            "--user-data-dir={}",
-            folder.path().join("profile").display()
-        ))
-        .arg(format!("file://{}", path.display()))
-        .output()
-        .expect("Chromium runs");
+    // Rarely Chromium ends by a signal before it has opened the page.
+    let output = opened(&chromium, page, width);
+    let has_crashed = output.status.code().is_none() && output.stdout.is_empty();
+    let output = if has_crashed {
+        opened(&chromium, page, width)
+    } else {
+        output
+    };
     let [dom, log] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
     let console: Vec<&str> = log
         .lines()
@@ -77,6 +71,23 @@ fn seen_at(page: &str, width: u32) -> Option<String> {
     let (status, length) = (output.status, dom.len());
     let ending = text.ok_or_else(|| format!("{status}, {length} bytes of the page, {log}"));
     Some(ending.expect("the page comes to its end"))
+}
+
+/// Opens a page in Chromium, with a profile of its own.
+fn opened(chromium: &OsStr, page: &str, width: u32) -> Output {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("report.html");
+    std::fs::write(&path, page).expect("written");
+    Command::new(chromium)
+        .args(OPTIONS)
+        .arg(format!("--window-size={width},900"))
+        .arg(format!(
+            "--user-data-dir={}",
+            folder.path().join("profile").display()
+        ))
+        .arg(format!("file://{}", path.display()))
+        .output()
+        .expect("Chromium runs")
 }
 
 /// Returns the value that a script, appended to a report, leaves in `seen` (see `report.js`). The
