@@ -1,6 +1,6 @@
 //! Where doubts about works of adhesion, friction, scatter and losses begin and end.
 
-use acceptance::{Contacts, assert_names, rigid_probe, solid};
+use acceptance::{Contacts, assert_names, assert_near, rigid_probe, solid};
 use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, Table};
 
@@ -217,6 +217,8 @@ fn a_spring_in_series_with_the_contact_is_told() {
         let words = format!("in place of {:.2e}; free it", 1.25 * stiffness);
         assert_warns(&found, WarningKind::SpringWanted, &words);
         assert_silent(&found, WarningKind::OffsetWanted);
+        let told = text(&found, WarningKind::SpringWanted);
+        assert_near(number_after(&told, "of some "), stiffness, 0.15 * stiffness);
         // The same spring is not known to those who take the heights for penetrations.
         measured.stiffness = None;
         measured.measurement.kind = Kind::LoadPenetration;
@@ -226,5 +228,8 @@ fn a_spring_in_series_with_the_contact_is_told() {
         let words = "the deflection of a spring; as heights with the stiffness";
         let found = fitted(&measured, &gel.free);
         assert_warns(&found, WarningKind::SpringWanted, words);
+        let told = text(&found, WarningKind::SpringWanted);
+        let share = number_after(&told, "of the order of ") / stiffness;
+        assert!((0.3..3.0).contains(&share), "{share}");
     }
 }

@@ -89,7 +89,7 @@ pub fn opposite(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
     } else {
         let is_far = apart[1].abs() > deepest[1].abs();
         let bent = if is_far { BENT_AND_FAR } else { BENT };
-        let has_two_senses = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+        let has_two_senses = kind.at_positions();
         [has_two_senses && above > bent * rise; 2]
     };
     (opposite != [false; 2]).then_some(opposite)

@@ -234,7 +234,7 @@ impl Experiment {
             return Some(reason);
         }
         let has_load = kind != Kind::PenetrationRadius;
-        let has_position = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+        let has_position = kind.at_positions();
         let reason = match parameter {
             Parameter::SphereModulus if self.get(parameter) == Some(f64::INFINITY) => {
                 "the sphere is rigid; give it a modulus to fit one"

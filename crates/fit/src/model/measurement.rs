@@ -65,6 +65,11 @@ impl Kind {
         )
     }
 
+    /// Tells whether a force is measured against a position.
+    pub const fn at_positions(self) -> bool {
+        matches!(self, Self::LoadPenetration | Self::ForceHeight)
+    }
+
     /// Tells whether the abscissa is the contact radius.
     pub const fn at_radii(self) -> bool {
         matches!(

@@ -6,7 +6,7 @@ use interp::{Elastic, Table};
 use super::differences::ContactOf;
 use super::predicted::Predicted;
 use super::program::Program;
-use super::{Branch, Experiment, Kind, Parameter};
+use super::{Branch, Experiment, Parameter};
 use crate::Error;
 use crate::statistics::range;
 
@@ -52,8 +52,7 @@ const MOST_TERMS: usize = 50;
 impl Experiment {
     /// Tells whether a relaxation function could be fitted, and none is: loads at penetrations or heights in time.
     pub fn may_relax(&self) -> bool {
-        let loads = [Kind::LoadPenetration, Kind::ForceHeight].contains(&self.measurement.kind);
-        loads && self.relaxing.is_none() && !self.times.is_empty()
+        self.measurement.kind.at_positions() && self.relaxing.is_none() && !self.times.is_empty()
     }
 
     /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
@@ -98,7 +97,7 @@ impl Experiment {
             ));
         }
         let kind = self.measurement.kind;
-        if kind.at_radii() || kind.is_stiffness() {
+        if !kind.at_positions() {
             return Err(self.not_fitted(
                 "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
                  cantilever, in time",

@@ -4,7 +4,7 @@ use crate::estimate::minima::search::{CLEAR, ends};
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Kind, Parameter, Warning, WarningKind};
+use crate::{Branch, Direction, Parameter, Warning, WarningKind};
 
 /// The number of noises by which a contact is below the baseline that would show.
 const DEEP: f64 = 3.0;
@@ -26,7 +26,6 @@ pub(super) fn doubt(
     let own = &problem.assigned[e];
     let experiment = &own.experiment;
     let measurement = &experiment.measurement;
-    let is_course = matches!(measurement.kind, Kind::LoadPenetration | Kind::ForceHeight);
     let slots = problem.slots_of(e).into_iter();
     let of = |parameter: Parameter| {
         let mut slots = slots.clone();
@@ -35,7 +34,7 @@ pub(super) fn doubt(
     let work = Parameter::WORKS
         .into_iter()
         .find(|work| of(*work).is_some())?;
-    if !is_course || experiment.relaxing.is_some() {
+    if !measurement.kind.at_positions() || experiment.relaxing.is_some() {
         return None;
     }
     // On approach the contact forms at the contact point.

@@ -54,9 +54,8 @@ fn tension(problem: &Problem<'_>, e: usize, uncertainty: &Uncertainty) -> Option
     let (own, found) = (&problem.assigned[e], problem.parameters_of(e));
     let experiment = &own.experiment;
     let kind = experiment.measurement.kind;
-    let is_course = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
     let adheres = found.iter().any(|one| one.is_work_of_adhesion());
-    if !is_course || !adheres || experiment.relaxing.is_some() {
+    if !kind.at_positions() || !adheres || experiment.relaxing.is_some() {
         return None;
     }
     let mut slots = problem.slots_of(e).into_iter();

@@ -140,7 +140,7 @@ fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
     let experiment = &assigned.experiment;
     let kind = experiment.measurement.kind;
     let is_free = |parameter: &Parameter| parameter.is_work_of_adhesion();
-    let is_without = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight)
+    let is_without = kind.at_positions()
         && experiment.work_of_adhesion == 0.0
         && experiment
             .work_of_adhesion_receding
@@ -364,7 +364,8 @@ impl<'a> Score<'a> {
         let predicted = self.problem.predict(e, &[]).ok()?.values;
         let rows = &self.problem.rows_of_experiments()[e];
         for (row, i) in rows.clone().zip(own.counting_points()) {
-            column[row] *= predicted[i] - experiment.baseline_at(measurement.points[i].abscissa);
+            let load = predicted[i] - experiment.baseline_at(measurement.points[i].abscissa);
+            column[row] *= experiment.sense() * load;
         }
         let gain = self.gain(&column)?;
         let compliance = given.map_or(0.0, f64::recip) + gain.change;
@@ -381,8 +382,8 @@ impl<'a> Score<'a> {
         let (name, stiffness, gain) = (&measurement.name, 1.0 / compliance, gain.chi_squared);
         Some(WarningKind::SpringWanted.with(match given {
             None => format!(
-                "{name}: the penetrations seem to hold the deflection of a spring of some {stiffness:.1e} N/m in series with \
-                 the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
+                "{name}: the penetrations seem to hold the deflection of a spring of the order of {stiffness:.0e} N/m in \
+                 series with the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
                  load/stiffness from the penetrations, or fit them as heights with the stiffness"
             ),
             Some(given) => format!(

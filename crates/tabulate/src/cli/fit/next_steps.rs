@@ -27,6 +27,13 @@ pub fn further_doubts(fit: &Fit, experiments: &[Experiment]) -> String {
 pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let is_receding_free = fit.estimate(Parameter::WorkOfAdhesionReceding).is_some();
     let ways = WAYS[usize::from(is_receding_free)];
+    let of_penetrations = |one: &Experiment| one.measurement.kind == Kind::LoadPenetration;
+    let spring = if experiments.iter().any(of_penetrations) {
+        "positions of a stage beside a load cell or frame: --kind force-height --stiffness 1kN/m, its stiffness, --column \
+         \"height=-HEADING [UNIT]\", and --free ...,contact-point; a stiffness that is not known: --free ...,stiffness"
+    } else {
+        "a stiffness that is not known: --free ...,stiffness"
+    };
     let steps = [
         (
             WarningKind::Saturated,
@@ -53,11 +60,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             WarningKind::ZeroNotSeen,
             "the zero of the load: --known load-offset=0+-ERROR, or --free ...,load-offset with points off contact",
         ),
-        (
-            WarningKind::SpringWanted,
-            "positions of a stage beside a load cell or frame: --kind force-height --stiffness 1kN/m, its stiffness, --column \
-             \"height=-HEADING [UNIT]\", and --free ...,contact-point; a stiffness that is not known: --free ...,stiffness",
-        ),
+        (WarningKind::SpringWanted, spring),
         (
             WarningKind::PullNotSeen,
             "without adhesion: --work-of-adhesion 0",
@@ -86,10 +89,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
-    let is_course = |one: &Experiment| {
-        [Kind::LoadPenetration, Kind::ForceHeight].contains(&one.measurement.kind)
-    };
-    let may_begin_early = applies(WarningKind::PoorFit) && experiments.iter().any(is_course);
+    let mut kinds = experiments.iter().map(|one| one.measurement.kind);
+    let may_begin_early = applies(WarningKind::PoorFit) && kinds.any(Kind::at_positions);
     steps.extend(may_begin_early.then_some(
         "a force that acts before the contact (a brush, charges, the liquid): --between keeps the positions where it is small \
          beside the load; with contact-point and baseline free, does the modulus change?",

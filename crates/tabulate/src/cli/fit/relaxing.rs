@@ -159,7 +159,7 @@ impl RelaxingArguments {
         if let Some(relaxing) = self.law() {
             let Measurement { name, kind, .. } = &experiment.measurement;
             ensure!(
-                matches!(kind, Kind::LoadPenetration | Kind::ForceHeight),
+                kind.at_positions(),
                 "{name}: a relaxation is found from loads at penetrations or heights in time, and {} is measured: \
                  leave out --relaxation",
                 kind.name()
