@@ -26,6 +26,7 @@ mod hostile_text;
 mod info;
 mod interfaces;
 mod limits;
+mod line_speed;
 mod magnitudes;
 mod outputs;
 mod paths;

@@ -103,5 +103,5 @@ fn the_commands_of_the_fits_print_what_is_shown() {
             shown += 1;
         }
     }
-    assert_eq!(shown, 17);
+    assert_eq!(shown, 18);
 }

@@ -79,9 +79,9 @@ pub enum Error {
         /// The error of the contact.
         cause: Box<Self>,
     },
-    /// Points without times, where the bodies relax.
+    /// Points without times, which the forces need.
     #[error(
-        "{0}: its points have no times, on which the forces of bodies that relax depend: give \
+        "{0}: its points have no times, on which the forces of bodies that relax, and adhesion that depends on the speed of the contact line, depend: give \
          each point its time"
     )]
     NoTimes(String),
@@ -93,8 +93,8 @@ pub enum Error {
     DifferentBodies(String),
     /// Times that do not rise.
     #[error(
-        "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: where \
-         the bodies relax, points are in the order measured, and times go on from approach to retract"
+        "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: points are in the order \
+         measured, and times go on from approach to retract"
     )]
     Times {
         /// The name of the measurement.

@@ -64,7 +64,7 @@ pub use estimate::{
 };
 pub use model::{
     AreaFunction, Bodies, Branch, ContactDepth, Direction, Experiment, Fixed, Free, Indentation,
-    Interrupt, Kind, Known, LayerName, LayerQuantity, Loss, LossAngle, MOST_COEFFICIENTS,
-    Measurement, NamedLayer, Numbering, Options, Parameter, Point, PointErrors, Prediction, Prior,
-    Reach, Relaxing, Scope, Solver, simulate,
+    Interrupt, Kind, Known, LayerName, LayerQuantity, LineSpeed, Loss, LossAngle,
+    MOST_COEFFICIENTS, Measurement, NamedLayer, Numbering, Options, Parameter, Point, PointErrors,
+    Prediction, Prior, Reach, Relaxing, Scope, Solver, simulate,
 };

@@ -27,6 +27,8 @@ pub struct Given<'py> {
     retract: Option<PyReadonlyArray1<'py, bool>>,
     work_of_adhesion: f64,
     work_of_adhesion_receding: Option<f64>,
+    doubling_speed: Option<f64>,
+    speed_exponent: Option<f64>,
     load_offset: f64,
     contact_point: f64,
     baseline: f64,
@@ -148,6 +150,8 @@ pub fn one(py: Python<'_>, given: &Given<'_>, frictionless: &Solver) -> PyResult
     let mut made = Experiment {
         work_of_adhesion: given.work_of_adhesion,
         work_of_adhesion_receding: given.work_of_adhesion_receding,
+        doubling_speed: given.doubling_speed,
+        speed_exponent: given.speed_exponent,
         load_offset: given.load_offset,
         contact_point: given.contact_point,
         baseline: given.baseline,

@@ -1,6 +1,7 @@
 """Contact lines: adhesion hysteresis and rates, against JKR; validity in closed form."""
 
 import pickle
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -111,6 +112,38 @@ def test_what_a_line_cannot_do(jkr):
     with pytest.raises(cc.InputError):
         jkr.line(0.04, 1.0)
     refuses(TypeError, "law", lambda: jkr.line("0.04", 5e-5))
+
+
+def test_the_law_of_a_line_is_found_from_radii_in_time():
+    system = make_system(film_thickness=3e-5)
+    law = cc.RateDependent(slow=0.04, v0=1e-6, n=0.6)
+    line = cc.Table.embedded().contact(system).line(law, 65e-6)
+    read, begin = [], 0.0
+    for load, duration, count in ((4e-3, 100.0, 40), (-2e-3, 150.0, 60)):
+        states = line.ramp("load", load, duration=duration, tolerance=1e-8)
+        times = np.linspace(0.0, states.time[-1], count + 2)[1:-1]
+        values = [np.interp(times, states.time, y) for y in (states.contact_radius, states.load)]
+        read.append([begin + times, *values, np.full(count, load < 0)])
+        begin += states.time[-1]
+    time, radius, load, retract = (np.concatenate(part) for part in zip(*read, strict=True))
+    measured = cc.Experiment(
+        kind="load-radius",
+        abscissa=radius,
+        ordinate=load,
+        retract=retract.astype(bool),
+        time=time,
+        system=system,
+        work_of_adhesion=0.04,
+    )
+    free = ["sphere_modulus", "work_of_adhesion", "doubling_speed", "speed_exponent"]
+    found = cc.fit(measured, free)
+    values = [found.params[name] for name in free]
+    assert values == pytest.approx([system.sphere_modulus, 0.04, law.v0, law.n], rel=0.01)
+    assert found.experiments[0].left_out == {"unknown-speed": 12}
+    untimed = replace(measured, time=None)
+    refuses(cc.FitError, "no times.*Experiment.time", lambda: cc.fit(untimed, free))
+    half = replace(measured, doubling_speed=1e-6)
+    refuses(cc.FitError, "speed_exponent.*is not given", lambda: cc.fit(half, free[:2]))
 
 
 def test_validity_in_closed_form(contact, jkr):

@@ -28,6 +28,8 @@ pub enum Dimension {
     ModulusPerLength,
     /// In seconds.
     Time,
+    /// In metres per second.
+    Speed,
 }
 
 impl Dimension {
@@ -49,6 +51,7 @@ impl Dimension {
             Self::Angle => ["an angle", "rad", "12deg"],
             Self::ModulusPerLength => ["a stiffness per area", "Pa/m", "2e14 Pa/m or 200GPa/mm"],
             Self::Time => ["a time", "s", "0.5s or 20ms"],
+            Self::Speed => ["a speed", "m/s", "2um/s"],
         }
     }
 
@@ -105,7 +108,7 @@ const BASES: [(&str, &[&str], Dimension); 4] = [
 ];
 
 /// Quotients of two symbols: numerator, denominator and its power, dimension.
-const QUOTIENTS: [(&str, &str, i32, Dimension); 7] = [
+const QUOTIENTS: [(&str, &str, i32, Dimension); 8] = [
     ("N", "m", 1, Dimension::ForcePerLength),
     ("J", "m", 2, Dimension::ForcePerLength),
     ("N", "m", 2, Dimension::Modulus),
@@ -113,6 +116,7 @@ const QUOTIENTS: [(&str, &str, i32, Dimension); 7] = [
     ("m", "N", 1, Dimension::Compliance),
     ("Pa", "m", 1, Dimension::ModulusPerLength),
     ("N", "m", 3, Dimension::ModulusPerLength),
+    ("m", "s", 1, Dimension::Speed),
 ];
 
 impl Unit {

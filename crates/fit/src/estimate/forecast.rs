@@ -73,7 +73,8 @@ pub fn forecast(
             experiment.accept_stiffness()?;
         }
         let contact = experiment.bodies.contact(table, &[])?;
-        let (branches, order) = experiment.branches_of_model(&contact)?;
+        let (mut branches, order) = experiment.branches_of_model(&contact)?;
+        experiment.leave_out_unknown_speeds(&mut branches);
         assigned.push(Assigned::new(experiment, (branches, order, None)));
     }
     let mut slots = slots(experiments, &free)?;

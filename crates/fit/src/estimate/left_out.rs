@@ -48,6 +48,7 @@ fn reason(whole: &Assigned, ends: &[End], i: usize) -> LeftOutReason {
     let at_radii = experiment.measurement.kind.at_radii();
     match whole.branches[i] {
         Branch::LeftOut if at_radii && point.abscissa == 0.0 => LeftOutReason::NoContact,
+        Branch::LeftOut if experiment.is_speed_unknown(i) => LeftOutReason::UnknownSpeed,
         Branch::LeftOut if at_radii => LeftOutReason::Turn,
         Branch::LeftOut => LeftOutReason::Jump,
         branch => {

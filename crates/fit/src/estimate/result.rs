@@ -173,6 +173,8 @@ named! {
         NoContact = "no-contact",
         /// They are near the largest radius of a cycle, where the line may not have moved yet.
         Turn = "turn",
+        /// They are at the end of a way, where the speed of the contact line is not known, and adhesion depends on it.
+        UnknownSpeed = "unknown-speed",
         /// They are in contact, but within 4 standard errors of the end of the fitted branch. No more than a tenth of the
         /// points in contact is left out for this.
         NearEnd = "near-end",
@@ -188,6 +190,9 @@ impl LeftOutReason {
             Self::Jump => "between contact and baseline",
             Self::NoContact => "without a contact",
             Self::Turn => "at the turn, where the contact line may not have moved",
+            Self::UnknownSpeed => {
+                "at the end of a way, where the speed of the contact line is not known"
+            }
             Self::NearEnd => "within 4 standard errors of the end of the fitted branch",
             Self::BeyondEnd => "in contact beyond the end of the fitted branch",
         }
@@ -219,6 +224,9 @@ pub struct FittedPoint {
     pub without_film: Option<f64>,
     /// The branch.
     pub branch: Branch,
+    /// The speed of the contact line, m/s, positive where it recedes; `None` where adhesion does not depend on it, or it is
+    /// not known.
+    pub line_speed: Option<f64>,
     /// Whether the residual is more than 5 times its standard deviation.
     pub outlier: bool,
 }

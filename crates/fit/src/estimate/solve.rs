@@ -224,6 +224,12 @@ pub(crate) fn prepare(
     let mut assigned = Vec::new();
     for experiment in experiments {
         let mut experiment = experiment.clone();
+        // A shared parameter has no effect on some kinds of measurement.
+        for one in Parameter::OF_LINE.into_iter().filter(|&one| is_free(one)) {
+            if experiment.get(one).is_none() && experiment.why_without_effect(one).is_none() {
+                experiment.set(one, 1.0)?;
+            }
+        }
         experiment.accept_instrument()?;
         if experiment.measurement.points.is_empty() {
             return Err(Error::too_few_points(0, free.len()));
@@ -372,6 +378,12 @@ fn experiment(
                 .filter(|&radius| radius > 0.0),
             without_film: without_film.filter(|value| value.is_finite()),
             branch: predicted.map_or(branch, |predicted| predicted.branch(i, branch)),
+            line_speed: assigned
+                .experiment
+                .line_speeds
+                .get(i)
+                .filter(|one| counts && one.deviation.is_finite())
+                .map(|one| one.speed),
             outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };

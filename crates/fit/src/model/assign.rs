@@ -61,6 +61,7 @@ impl Experiment {
                 let receding = Parameter::WorkOfAdhesionReceding;
                 let hysteretic = is_free(receding) || self.get(receding).is_some();
                 self.assign_radii(hysteretic, &mut branches);
+                self.leave_out_unknown_speeds(&mut branches);
             }
             Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {
                 branches.fill(Branch::Advancing);

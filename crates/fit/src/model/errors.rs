@@ -112,6 +112,26 @@ impl Experiment {
         Ok(())
     }
 
+    /// Returns what the error of the abscissa, and of the speed of the contact line, does to each point; an empty list where
+    /// both are exact.
+    pub(crate) fn abscissa_errors(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        order: &[usize],
+        noise: impl Fn(usize) -> f64,
+    ) -> Result<Vec<AbscissaError>, Error> {
+        let mut errors = self.errors_of_abscissae(contact_of, branches, order, noise)?;
+        if self.has_line_law() {
+            errors.resize(self.measurement.points.len(), AbscissaError::default());
+            let parts = self.parts_of_line_speeds(contact_of, branches, order)?;
+            for (error, part) in errors.iter_mut().zip(parts) {
+                error.part = error.part.hypot(part);
+            }
+        }
+        Ok(errors)
+    }
+
     /// Returns what the error of the abscissa does to each point; an empty list where the abscissae are exact. The part of
     /// the standard deviation is the root mean square of the change of the model: of a straight line it is
     /// `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an ordinate
@@ -123,7 +143,7 @@ impl Experiment {
     /// ```text
     /// d = r b sigma_x^2/(sigma_y^2 + b^2 sigma_x^2)        part^2 = sigma_x^2 ((b + 2 c d)^2 + 3 c^2 sigma_x^2)
     /// ```
-    pub(crate) fn abscissa_errors(
+    fn errors_of_abscissae(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],

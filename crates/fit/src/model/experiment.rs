@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::{Bodies, Indentation, Kind, Measurement, Parameter, PointErrors, Relaxing, Solver};
+use super::{
+    Bodies, Indentation, Kind, LineSpeed, Measurement, Parameter, PointErrors, Relaxing, Solver,
+};
 use crate::Error;
 
 /// A measurement with all that is known about it.
@@ -24,6 +26,12 @@ pub struct Experiment {
     /// The work of adhesion on retract, J/m^2; `None` is that of approach. Points without a
     /// direction have that of approach.
     pub work_of_adhesion_receding: Option<f64>,
+    /// The speed of the contact line at which the work of adhesion is doubled or halved, m/s: see
+    /// [`Parameter::DoublingSpeed`]. `None`, as for [`Self::speed_exponent`], is a work of adhesion that does not depend
+    /// on the speed. With it the points are contact radii, and have times or [`Self::line_speeds`].
+    pub doubling_speed: Option<f64>,
+    /// The exponent of the speed of the contact line: see [`Parameter::SpeedExponent`].
+    pub speed_exponent: Option<f64>,
     /// What a load reads without a force, N.
     pub load_offset: f64,
     /// The reading of a penetration or height at which the sphere would just touch, m.
@@ -48,6 +56,8 @@ pub struct Experiment {
     pub indentation: Indentation,
     /// The time of each point, s; empty where it is not known.
     pub times: Vec<f64>,
+    /// The speed of the contact line at each point; empty are those that radii and times show.
+    pub line_speeds: Vec<LineSpeed>,
     /// How the bodies relax: see [`Relaxing`].
     pub relaxing: Option<Relaxing>,
 }
@@ -62,6 +72,8 @@ impl Experiment {
             sphere_poisson_ratio: None,
             work_of_adhesion: 0.0,
             work_of_adhesion_receding: None,
+            doubling_speed: None,
+            speed_exponent: None,
             load_offset: 0.0,
             contact_point: 0.0,
             baseline: 0.0,
@@ -76,6 +88,7 @@ impl Experiment {
             },
             indentation: Indentation::NEW,
             times: Vec::new(),
+            line_speeds: Vec::new(),
             relaxing: None,
         }
     }
@@ -94,6 +107,8 @@ impl Experiment {
             Parameter::FilmThickness => self.bodies.top_thickness()?,
             Parameter::WorkOfAdhesion => self.work_of_adhesion,
             Parameter::WorkOfAdhesionReceding => return self.work_of_adhesion_receding,
+            Parameter::DoublingSpeed => return self.doubling_speed,
+            Parameter::SpeedExponent => return self.speed_exponent,
             Parameter::LoadOffset => self.load_offset,
             Parameter::ContactPoint => self.contact_point,
             Parameter::Baseline => self.baseline,
@@ -154,6 +169,8 @@ impl Experiment {
         match parameter {
             Parameter::WorkOfAdhesion => self.work_of_adhesion = value,
             Parameter::WorkOfAdhesionReceding => self.work_of_adhesion_receding = Some(value),
+            Parameter::DoublingSpeed => self.doubling_speed = Some(value),
+            Parameter::SpeedExponent => self.speed_exponent = Some(value),
             Parameter::LoadOffset => self.load_offset = value,
             Parameter::ContactPoint => self.contact_point = value,
             Parameter::Baseline => self.baseline = value,
@@ -247,6 +264,7 @@ impl Experiment {
             {
                 "no contact stiffness is measured"
             }
+            Parameter::DoublingSpeed | Parameter::SpeedExponent => self.why_without_line_speed()?,
             Parameter::LoadOffset if !has_load => "no load is measured",
             Parameter::ContactPoint if kind == Kind::LoadRadius => {
                 "neither penetration nor height is measured"
@@ -274,6 +292,7 @@ impl Experiment {
             }
         }
         self.accept_relaxing()?;
+        self.accept_line_law()?;
         if self.measurement.kind != Kind::ForceHeight {
             return Ok(());
         }

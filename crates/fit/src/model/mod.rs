@@ -5,7 +5,7 @@
 //! and how, `fixed` what is taken as given. `assign` reads the `branch` of each point from the data,
 //! and finds loading and unloading; `split` tells where contact and baseline meet, on a baseline whose
 //! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `predictor`, `readings`
-//! and, under adhesion hysteresis, `turn`; `bodies` are what touches, `layer` is one of their layers, `solver` makes contacts on layers,
+//! and, under adhesion hysteresis, `turn`; `line_speed` is adhesion that depends on the speed of the contact line; `bodies` are what touches, `layer` is one of their layers, `solver` makes contacts on layers,
 //! `interrupt` stops them, and `differences` makes the derivatives on it. `relaxing` predicts the
 //! points in time where the bodies relax, and `program` takes the noise off what is imposed on them by
 //! `straight_lines`. `indentation` is contact stiffness as a measurement. `simulate` makes synthetic
@@ -22,6 +22,7 @@ mod free;
 mod indentation;
 mod interrupt;
 mod layer;
+mod line_speed;
 mod measurement;
 mod parameter;
 mod predict;
@@ -51,6 +52,7 @@ pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
 pub use interrupt::Interrupt;
 pub use layer::{LayerName, NamedLayer};
+pub use line_speed::LineSpeed;
 pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
 pub use parameter::{LayerQuantity, Parameter};
 pub(crate) use predicted::{Predicted, ends_of_radii};

@@ -56,6 +56,11 @@ pub enum Parameter {
     WorkOfAdhesion,
     /// The work of adhesion of points measured on retract, J/m^2.
     WorkOfAdhesionReceding,
+    /// The speed `v0` (m/s) of the contact line at which the energy release rate is twice the work of adhesion where the
+    /// line recedes, and half of it where it advances: see [`contact::RateDependent`].
+    DoublingSpeed,
+    /// The exponent `n` of the speed of the contact line, as of [`contact::RateDependent`].
+    SpeedExponent,
     /// What a load reads without a force, N.
     LoadOffset,
     /// The reading of a penetration or height at which the sphere would just touch, m.
@@ -80,13 +85,15 @@ pub enum Parameter {
 
 impl Parameter {
     /// All parameters but those of the layers of a stack, and of further relaxation times.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::SphereModulus,
         Self::FilmModulus,
         Self::FilmPoissonRatio,
         Self::FilmThickness,
         Self::WorkOfAdhesion,
         Self::WorkOfAdhesionReceding,
+        Self::DoublingSpeed,
+        Self::SpeedExponent,
         Self::LoadOffset,
         Self::ContactPoint,
         Self::Baseline,
@@ -110,10 +117,13 @@ impl Parameter {
 
     pub(crate) const WORKS: [Self; 2] = [Self::WorkOfAdhesion, Self::WorkOfAdhesionReceding];
 
+    /// The numbers by which the work of adhesion depends on the speed of the contact line.
+    pub(crate) const OF_LINE: [Self; 2] = [Self::DoublingSpeed, Self::SpeedExponent];
+
     /// Returns the name, without that of a layer and the number of a relaxation time; the dimension, if there is one;
     /// and whether the parameter is positive.
     const fn facts(self) -> (&'static str, Option<Dimension>, bool) {
-        use Dimension::{Compliance, Force, ForcePerLength, Length, Modulus, Time};
+        use Dimension::{Compliance, Force, ForcePerLength, Length, Modulus, Speed, Time};
         match self {
             Self::SphereModulus => ("sphere-modulus", Some(Modulus), POSITIVE),
             Self::FilmModulus => ("film-modulus", Some(Modulus), POSITIVE),
@@ -123,6 +133,8 @@ impl Parameter {
             Self::WorkOfAdhesionReceding => {
                 ("work-of-adhesion-receding", Some(ForcePerLength), POSITIVE)
             }
+            Self::DoublingSpeed => ("doubling-speed", Some(Speed), POSITIVE),
+            Self::SpeedExponent => ("speed-exponent", None, POSITIVE),
             Self::LoadOffset => ("load-offset", Some(Force), ANY_SIGN),
             Self::ContactPoint => ("contact-point", Some(Length), ANY_SIGN),
             Self::Baseline => ("baseline", Some(Force), ANY_SIGN),

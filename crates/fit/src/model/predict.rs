@@ -58,9 +58,9 @@ impl Predictor<'_> {
     fn at_radii(&mut self, branch: Branch) -> Result<(), contact::Error> {
         let of = self.experiment;
         let load = of.measurement.kind == Kind::LoadRadius;
-        let w = of.work_of(branch);
+        let speeds = of.has_line_law().then(|| of.speeds_of_line());
         let (mut inputs, mut columns) = self.inputs_on(branch);
-        if w == 0.0 {
+        if of.work_of(branch) == 0.0 {
             // The load falls like the root of `w`.
             columns.retain(|&column| of.bodies.input(self.columns[column]).is_some());
             inputs.retain(|&input| input != Input::WorkOfAdhesion);
@@ -71,6 +71,8 @@ impl Predictor<'_> {
                 continue;
             }
             let a = point.abscissa;
+            let speed = speeds.as_ref().map_or(0.0, |speeds| speeds[i].speed);
+            let (w, by_parameter) = of.work_at(branch, speed)?;
             self.predicted.radii[i] = a;
             self.predicted.values[i] += match (load, inputs.is_empty()) {
                 (true, true) => self.contact.load(a, w)?,
@@ -78,8 +80,13 @@ impl Predictor<'_> {
                 (true, false) => self.contact.derivatives(a, w, &inputs, &mut by)?.0,
                 (false, false) => self.contact.derivatives(a, w, &inputs, &mut by)?.1,
             };
-            for (by, &column) in by.iter().zip(&columns) {
-                self.row(i)[column] += if load { by.load } else { by.penetration };
+            for ((by, &column), input) in by.iter().zip(&columns).zip(&inputs) {
+                let by_input = if load { by.load } else { by.penetration };
+                let moved = match input {
+                    Input::WorkOfAdhesion => by_parameter(self.columns[column]),
+                    _ => 1.0,
+                };
+                self.row(i)[column] += by_input * moved;
             }
         }
         Ok(())

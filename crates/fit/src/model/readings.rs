@@ -59,6 +59,7 @@ impl Experiment {
         match parameter {
             Parameter::WorkOfAdhesion if !receding => Some(Input::WorkOfAdhesion),
             Parameter::WorkOfAdhesionReceding if receding => Some(Input::WorkOfAdhesion),
+            Parameter::DoublingSpeed | Parameter::SpeedExponent => Some(Input::WorkOfAdhesion),
             _ => self.bodies.input(parameter),
         }
     }

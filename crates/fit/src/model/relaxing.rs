@@ -6,7 +6,7 @@ use interp::{Elastic, Table};
 use super::differences::ContactOf;
 use super::predicted::Predicted;
 use super::program::Program;
-use super::{Branch, Experiment, Parameter};
+use super::{Branch, Experiment, Measurement, Parameter};
 use crate::Error;
 use crate::statistics::range;
 
@@ -103,20 +103,7 @@ impl Experiment {
                  cantilever, in time",
             ));
         }
-        if self.times.is_empty() {
-            return Err(Error::NoTimes(name.clone()));
-        }
-        for (i, pair) in self.times.windows(2).enumerate() {
-            if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
-                return Err(Error::Times {
-                    measurement: name.clone(),
-                    numbering: self.measurement.numbering,
-                    line: points[i + 1].line,
-                    time: pair[1],
-                    before: pair[0],
-                });
-            }
-        }
+        self.accept_times()?;
         let adhesion = [Some(self.work_of_adhesion), self.work_of_adhesion_receding];
         if adhesion.into_iter().flatten().any(|work| work != 0.0) {
             return Err(self.not_fitted(
@@ -142,6 +129,31 @@ impl Experiment {
         }
         if self.bodies_do_not_relax() && self.bodies.are_layered() {
             return Err(Error::DifferentBodies(name.clone()));
+        }
+        Ok(())
+    }
+
+    /// Accepts times of the points that rise.
+    pub(super) fn accept_times(&self) -> Result<(), Error> {
+        let Measurement {
+            name,
+            numbering,
+            points,
+            ..
+        } = &self.measurement;
+        if self.times.is_empty() {
+            return Err(Error::NoTimes(name.clone()));
+        }
+        for (i, pair) in self.times.windows(2).enumerate() {
+            if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
+                return Err(Error::Times {
+                    measurement: name.clone(),
+                    numbering: *numbering,
+                    line: points[i + 1].line,
+                    time: pair[1],
+                    before: pair[0],
+                });
+            }
         }
         Ok(())
     }

@@ -3,12 +3,13 @@
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
 //! digits, `name` writes the names of values, `agreement` says how well the fit agrees with the data, `fixed_values` what the values taken as
-//! given do, and [`jkr_plot`] returns the points of the reduced JKR plot.
+//! given do, `line_speed` the speeds of contact lines, and [`jkr_plot`] returns the points of the reduced JKR plot.
 
 mod agreement;
 mod fixed_values;
 mod indentation;
 mod jkr_plot;
+mod line_speed;
 mod name;
 mod relaxing;
 mod text;
@@ -16,5 +17,6 @@ mod unit;
 
 pub use self::indentation::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
+pub use self::line_speed::line_speeds;
 pub use self::text::{expected, reading, report};
 pub use self::unit::UnitOf;

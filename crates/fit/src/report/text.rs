@@ -7,7 +7,7 @@ use interp::{Elastic, Probe};
 use super::agreement::agreement;
 use super::name::{NAME, name};
 use super::unit::{UnitOf, given, scaled, value};
-use super::{fixed_values, indentation, relaxing};
+use super::{fixed_values, indentation, line_speed, relaxing};
 use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
@@ -57,6 +57,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     for text in of_kinds
         .into_iter()
         .chain(relaxing::lines(fit, experiments))
+        .chain(line_speed::lines(fit))
     {
         out += &format!("{text}\n");
     }

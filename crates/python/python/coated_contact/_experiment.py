@@ -39,6 +39,8 @@ UNITS_OF: dict[str, str] = {
     "film_thickness": "m",
     "work_of_adhesion": "J/m^2",
     "work_of_adhesion_receding": "J/m^2",
+    "doubling_speed": "m/s",
+    "speed_exponent": "1",
     "load_offset": "N",
     "contact_point": "m",
     "baseline": "N",
@@ -124,6 +126,13 @@ class Experiment(Remade, OneLine):
         Work of adhesion, J/m^2; 0 is a contact without adhesion.
     work_of_adhesion_receding : float, optional
         Work of adhesion on retract, J/m^2; None is that of approach.
+    doubling_speed : float, optional
+        Speed of the contact line at which the work of adhesion, then that of a line at rest, is
+        doubled where the line recedes and halved where it advances, m/s: the v0 of
+        :class:`RateDependent`. None, also for ``speed_exponent``, is adhesion that does not depend
+        on the speed. The speeds are read from contact radii and ``time``.
+    speed_exponent : float, optional
+        The exponent n of the speed of the contact line.
     load_offset : float
         What a load reads without a force, N.
     contact_point : float
@@ -159,8 +168,9 @@ class Experiment(Remade, OneLine):
         What is known of a measurement of contact stiffness; None is the usual. Other kinds do not
         use it.
     time : array_like, optional
-        Time of each point, s. With a ``relaxation`` times rise, and the points begin before the
-        contact: an approach, which may be held, and a retract.
+        Time of each point, s. With a ``doubling_speed`` or a ``relaxation`` times rise; with a
+        ``relaxation`` the points begin before the contact: an approach, which may be held, and a
+        retract.
     relaxation : Relaxation, optional
         How the film relaxes in time: then moduli are its ``E_ref``, and there is no adhesion. Its
         numbers are parameters: ``"relaxed_fraction"``, ``"relaxation_exponent"``,
@@ -184,6 +194,8 @@ class Experiment(Remade, OneLine):
     retract: Any = None
     work_of_adhesion: float = 0.0
     work_of_adhesion_receding: float | None = None
+    doubling_speed: float | None = None
+    speed_exponent: float | None = None
     load_offset: float = 0.0
     contact_point: float = 0.0
     baseline: float = 0.0
@@ -296,6 +308,8 @@ _UNIT_OF_KIND = UNIT_OF | {"force": "N", "depth": "m", "stiffness": "N/m or J/m^
 _NUMBERS = (
     "work_of_adhesion",
     "work_of_adhesion_receding",
+    "doubling_speed",
+    "speed_exponent",
     "load_offset",
     "contact_point",
     "baseline",

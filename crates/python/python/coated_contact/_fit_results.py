@@ -95,7 +95,7 @@ class FittedExperiment(OneLine):
         Whether the residual is more than 5 times its standard deviation.
     left_out : dict of str to int
         The numbers of points left out, by reason: ``"jump"``, ``"no-contact"``, ``"turn"``,
-        ``"near-end"``, ``"beyond-end"``.
+        ``"unknown-speed"``, ``"near-end"``, ``"beyond-end"``.
     retract : numpy.ndarray or None
         Whether each point was measured on retract; None where that is not known.
     loss : dict of str to float or None

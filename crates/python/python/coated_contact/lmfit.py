@@ -236,7 +236,8 @@ def _has_expression(parameters: Iterable[Parameter]) -> bool:
 def _at(experiment: Experiment, abscissa: Array) -> Experiment:
     """Return an experiment at other abscissae, without what is known of each point."""
     needed = "loads" if experiment.kind == "stiffness-depth" else "times"
-    if needed == "loads" or experiment.relaxation is not None:
+    in_time = experiment.relaxation is not None or experiment.doubling_speed is not None
+    if needed == "loads" or in_time:
         raise FitError(
             f"the {needed} at other abscissae, which this model needs, are not known: give the "
             "abscissae of the experiment",
@@ -270,6 +271,8 @@ POSITIVE = (
     "film_thickness",
     "work_of_adhesion",
     "work_of_adhesion_receding",
+    "doubling_speed",
+    "speed_exponent",
     "stiffness",
 )
 
@@ -286,6 +289,8 @@ def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
     names += ["film_thickness"] if isinstance(system, System) else []
     names += ["work_of_adhesion"]
     names += ["work_of_adhesion_receding"] if experiment.work_of_adhesion_receding else []
+    if experiment.doubling_speed is not None:
+        names += ["doubling_speed", "speed_exponent"]
     names += ["load_offset"] if kind == "load-radius" else []
     names += [] if kind == "load-radius" or kind.startswith("stiffness") else ["contact_point"]
     if kind in ("load-penetration", "force-height"):

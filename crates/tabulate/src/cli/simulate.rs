@@ -41,6 +41,9 @@ use crate::table::scene::created_by;
 /// Values of the bodies that are not given are those of the paper, and a comment line on standard
 /// error names them, as in `tabulate curve`.
 ///
+/// With --sample-interval and --value doubling-speed=1um/s --value speed-exponent=0.5 the adhesion of contact radii depends
+/// on the speed of the contact line.
+///
 /// With --relaxation and --sample-interval the film relaxes; an approach from before the contact, a
 /// --hold and a retract have a column of times.
 ///

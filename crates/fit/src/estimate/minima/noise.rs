@@ -239,7 +239,7 @@ pub(crate) fn add(
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let leverages = &uncertainty.leverages[rows];
         let experiment = &assigned.experiment;
-        if experiment.usual_noise().is_some() || assigned.abscissa_errors.is_empty() {
+        if experiment.usual_noise().is_some() || experiment.usual_abscissa_noise() == 0.0 {
             continue;
         }
         let told = told(assigned, leverages);

@@ -197,6 +197,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+                Parameter::DoublingSpeed | Parameter::SpeedExponent => Some(1.0),
                 Parameter::Hardness => experiments[e].hardness_to_start_from(has_no_start(free)),
                 Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments[e]
                     .bodies

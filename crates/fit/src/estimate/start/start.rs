@@ -12,11 +12,15 @@ use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::slot::Slot;
 use crate::model::has_no_start;
-use crate::{Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
+use crate::statistics::median;
+use crate::{Error, Experiment, Free, Kind, LayerQuantity, LineSpeed, Loss, Parameter};
 
 /// The smallest work of adhesion to start from, relative to that of which the largest load would be
 /// the pull-off load.
 const SMALLEST_WORK: f64 = 1e-6;
+
+/// The exponent of the speed of a contact line to start from, of elastomers.
+const USUAL_EXPONENT: f64 = 0.5;
 
 /// Why no start is found.
 const NO_START: &str = "JKR finds no positive modulus in these data; check units and signs (loads \
@@ -220,7 +224,8 @@ fn names(assigned: &[Assigned]) -> String {
 /// Gives the starts that a homogeneous contact shows.
 fn give_homogeneous(starts: &mut Starts<'_>, found: Homogeneous) -> Result<(), Error> {
     use Parameter::{
-        Baseline, BaselineSlope, ContactPoint, LoadOffset, WorkOfAdhesion, WorkOfAdhesionReceding,
+        Baseline, BaselineSlope, ContactPoint, DoublingSpeed, LoadOffset, SpeedExponent,
+        WorkOfAdhesion, WorkOfAdhesionReceding,
     };
     let sphere_radius = radius_of(&starts.at);
     let [radius, load, _] = found.largest;
@@ -241,12 +246,23 @@ fn give_homogeneous(starts: &mut Starts<'_>, found: Homogeneous) -> Result<(), E
     starts.give_unknown(WorkOfAdhesion, work(found.work_of_adhesion))?;
     let receding = found.receding.unwrap_or(found.work_of_adhesion);
     starts.give_unknown(WorkOfAdhesionReceding, work(receding))?;
+    if let Some(usual) = usual_speed(&starts.at.experiment.line_speeds) {
+        starts.give_unknown(DoublingSpeed, usual)?;
+        starts.give_unknown(SpeedExponent, USUAL_EXPONENT)?;
+    }
     if let Some((parameter, compound)) = starts.matched.zip(found.modulus) {
         let experiment = &starts.at.experiment;
         let value = matching_modulus(starts.table, experiment, parameter, compound, found.largest);
         starts.give(parameter, value)?;
     }
     Ok(())
+}
+
+/// Returns a usual speed of a contact line that moves.
+fn usual_speed(speeds: &[LineSpeed]) -> Option<f64> {
+    let moving = speeds.iter().map(|one| one.speed.abs());
+    let moving: Vec<f64> = moving.filter(|speed| *speed > 0.0).collect();
+    (!moving.is_empty()).then(|| median(moving))
 }
 
 /// Returns the compound modulus of sphere and film, or of sphere and half-space.

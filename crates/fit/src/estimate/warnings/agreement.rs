@@ -54,6 +54,10 @@ pub(crate) fn add(
     let experiments = experiments.zip(problem.rows_of_experiments());
     for (e, ((assigned, fitted), rows)) in experiments.enumerate() {
         let own = residuals.rows(rows.start, rows.len());
+        // Neighbours read the speeds of the contact line from the same radii, and their residuals are alike.
+        if assigned.experiment.has_line_law() {
+            continue;
+        }
         let leverages = &leverages[rows];
         let followed: f64 = leverages.iter().sum();
         let freedom = own.len() as f64 - followed;

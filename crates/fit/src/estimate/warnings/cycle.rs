@@ -14,7 +14,7 @@ use super::hold;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, Warning, WarningKind};
+use crate::{Branch, Experiment, Kind, LineSpeed, Warning, WarningKind};
 
 /// The load at which the penetrations of loading and unloading are compared for what remains, over
 /// the largest load: the smallest that both reach, at least the first and at most the second.
@@ -73,11 +73,16 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let two_works = experiment.work_of_adhesion_receding.is_some();
     let loop_of_model = if experiment.relaxing.is_some() {
         Some(("the fitted relaxation function", "fit another one"))
+    } else if experiment.has_line_law() {
+        Some((
+            "the adhesion that depends on the speed of the contact line",
+            "free the work of adhesion of retract (work-of-adhesion-receding) beside it, or fit one direction alone",
+        ))
     } else if two_works && cycle.energy < 0.0 {
         Some((
             "the two works of adhesion",
-            "the adhesion of one way differs from point to point, as where it depends on the speed of the contact line, or \
-             the zeros are wrong",
+            "the adhesion of one way differs from point to point, as where it depends on the speed of the contact line \
+             (doubling-speed, speed-exponent), or the zeros are wrong",
         ))
     } else {
         None
@@ -119,6 +124,9 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
          make, of {size} ({cause}); {step}fit one direction alone{}",
         if experiment.may_relax() {
             "; the points have times: if the film relaxes, fit a relaxation function with them"
+        } else if experiment.may_have_line_law() {
+            "; the points have times: if adhesion depends on the speed of the contact line, free doubling-speed and \
+             speed-exponent"
         } else {
             ""
         }
@@ -163,6 +171,7 @@ fn samples(
             }
         }
     }
+    let speeds = experiment.speeds_of_line();
     let predicted = if at_radii {
         Vec::new()
     } else {
@@ -174,7 +183,8 @@ fn samples(
         if at_radii && branches[i] == Branch::LeftOut {
             None
         } else if at_radii {
-            at_radius(experiment, &contact, i, branches[i])
+            let speed = speeds.get(i).copied().unwrap_or_default();
+            at_radius(experiment, &contact, i, (branches[i], speed))
         } else {
             let point = &points[i];
             let load = point.ordinate - experiment.baseline_at(point.abscissa) - level;
@@ -212,8 +222,12 @@ fn at_radius(
     experiment: &Experiment,
     contact: &Contact,
     i: usize,
-    branch: Branch,
+    (branch, line): (Branch, LineSpeed),
 ) -> Option<Sample> {
+    if experiment.has_line_law() && line.deviation.is_infinite() {
+        return None;
+    }
+    let (work, _) = experiment.work_at(branch, line.speed).ok()?;
     let point = &experiment.measurement.points[i];
     let a = point.abscissa;
     let (load0, penetration0) = contact.load_and_penetration(a, 0.0).ok()?;
@@ -230,7 +244,7 @@ fn at_radius(
     };
     Some(Sample {
         x: PI * a * a,
-        excess: experiment.work_of(branch) - rate,
+        excess: work - rate,
         load,
         penetration,
         position: a,

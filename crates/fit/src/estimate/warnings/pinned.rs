@@ -17,7 +17,9 @@ const PART: f64 = 0.25;
 /// Warns if the load falls by a large part of its range while the contact radius stays at its largest values.
 pub(crate) fn doubt(assigned: &Assigned) -> Option<Warning> {
     let experiment = &assigned.experiment;
-    if experiment.measurement.kind != Kind::LoadRadius || !experiment.has_shape(false) {
+    let kind = experiment.measurement.kind;
+    // Adhesion that depends on the speed describes a slow line, too.
+    if kind != Kind::LoadRadius || !experiment.has_shape(false) || experiment.has_line_law() {
         return None;
     }
     let points = &experiment.measurement.points;

@@ -74,7 +74,8 @@ pub(crate) fn add(
         } else {
             zeros_wanted(warnings, &score, e, zeros, explained);
         }
-        if !fitted.contains(&Parameter::WorkOfAdhesionReceding) {
+        // By adhesion that depends on the speed loading and unloading differ, too.
+        if !fitted.contains(&Parameter::WorkOfAdhesionReceding) && !experiment.has_line_law() {
             warnings.extend(score.mixed(e));
         }
     }

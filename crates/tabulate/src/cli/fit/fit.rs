@@ -67,6 +67,11 @@ const MANY_FILES: usize = 100;
 /// material: its time grows like the square of the contact radius. Fit curves of two radii: a material
 /// has the same relaxation times at both.
 ///
+/// Where adhesion depends on the speed v of the contact line, as under a lens of an elastomer, contact radii in time tell the
+/// law: --free ...,doubling-speed,speed-exponent. The work of adhesion is then that of a line at rest, and the energy release
+/// rate is w (1 + (v/v0)^n) where the line recedes and w / (1 + (v/v0)^n) where it advances, with the doubling-speed v0 and
+/// the speed-exponent n. The speeds are read from the radii and a column of times.
+///
 /// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
 /// without it, a warning says where full friction would change the modulus by more than its standard
 /// error.
@@ -175,7 +180,7 @@ pub struct Arguments {
     ///
     /// {"created_by": program and version, "command", "read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "line_speed": [least, most] in m/s with a free doubling-speed, "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":

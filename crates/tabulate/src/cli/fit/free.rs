@@ -11,8 +11,8 @@ use crate::cli::system::{SystemArguments, Value};
 #[derive(clap::Args)]
 pub struct FreeArguments {
     /// The parameters to be found: sphere-modulus (reduced, E2*), film-modulus (Young's, E1),
-    /// film-poisson-ratio, film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset,
-    /// contact-point, baseline, baseline-slope, stiffness; of a contact stiffness also hardness,
+    /// film-poisson-ratio, film-thickness, work-of-adhesion, work-of-adhesion-receding, doubling-speed, speed-exponent,
+    /// load-offset, contact-point, baseline, baseline-slope, stiffness; of a contact stiffness also hardness,
     /// tip-rounding, frame-compliance; with --stack, LAYER.modulus (Young's), LAYER.thickness and
     /// LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a layer by its name in
     /// the file take the place of those of the film; with --interface the film is the layer `film`

@@ -86,9 +86,15 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
          fractional-zener (see `tabulate fit --help`)";
     let timed = || experiments.iter().any(Experiment::may_relax);
     let may_relax = applies(WarningKind::Relaxes) || applies(WarningKind::Hysteresis) && timed();
+    let kinds = [WarningKind::Hysteresis, WarningKind::MixedBranches];
+    let has_loop = kinds.into_iter().any(applies);
+    let depends = has_loop && experiments.iter().any(Experiment::may_have_line_law);
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
+    steps.extend(depends.then_some(
+        "adhesion that depends on the speed of the contact line: --free ...,doubling-speed,speed-exponent",
+    ));
     let mut kinds = experiments.iter().map(|one| one.measurement.kind);
     let may_begin_early = applies(WarningKind::PoorFit) && kinds.any(Kind::at_positions);
     steps.extend(may_begin_early.then_some(

@@ -1,7 +1,7 @@
 //! The JSON object of a fit.
 
 use ::fit::data::Notes;
-use ::fit::report::{a_over_t, reading};
+use ::fit::report::{a_over_t, line_speeds, reading};
 use ::fit::{
     Estimate, Experiment, Fit, FittedExperiment, FixedValue, LeftOut, LossAngle, ModulusBias,
     Parameter, Warning, WithoutFilm,
@@ -52,6 +52,8 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
         "noise": one_or_all(all_of(&|fitted, _| number(fitted.noise))),
         "abscissa_noise": one_or_all(all_of(&|fitted, _| number(fitted.abscissa_noise))),
         "a_over_t": one_or_all(all_of(&ratios)),
+        // The least and the largest speed, where adhesion depends on it.
+        "line_speed": any_of(&|fitted, _| line_speeds(fitted).map(|ends| numbers(&ends)).into()),
         "left_out": one_or_all(all_of(&left_out)),
         "loss": any_of(&|fitted, _| fitted.loss.map(loss).into()),
         "relaxation": any_of(&of_relaxation),
@@ -59,7 +61,8 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
         "fixed_values": fit.fixed_values.iter().map(fixed_value).collect::<Value>(),
         "warnings": doubts.chain(fit.warnings.iter().map(warning)).collect::<Value>(),
     });
-    without(&["sphere_young_modulus", "loss", "relaxation"], object)
+    let optional = ["sphere_young_modulus", "line_speed", "loss", "relaxation"];
+    without(&optional, object)
 }
 
 /// Leaves fields out of an object where they are null.

@@ -1,6 +1,7 @@
 //! The points of a fit as CSV.
 
 use ::fit::data::{Role, roles};
+use ::fit::report::line_speeds;
 use ::fit::{Direction, Experiment, Fit};
 
 use crate::cli::points::number;
@@ -15,7 +16,9 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
         ["abscissa", "ordinate"]
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
+    let has_speeds = fit.experiments.iter().any(|one| line_speeds(one).is_some());
+    let speed = has_speeds.then_some("line_speed");
+    let columns = [
         "file",
         "line",
         "segment",
@@ -26,12 +29,13 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
         "branch",
         "outlier",
         "without_film",
-    ])?;
+    ];
+    writer.write_record(columns.into_iter().chain(speed))?;
     for (fitted, experiment) in fit.experiments.iter().zip(experiments) {
         let points = fitted.points.iter().zip(&experiment.measurement.points);
         for (point, measured) in points {
             let or_empty = |value: Option<f64>| value.map(number).unwrap_or_default();
-            writer.write_record([
+            let cells = [
                 fitted.name.clone(),
                 point.line.to_string(),
                 measured
@@ -46,7 +50,9 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
                 point.branch.name().to_owned(),
                 point.outlier.to_string(),
                 or_empty(point.without_film),
-            ])?;
+            ];
+            let speed = speed.map(|_| or_empty(point.line_speed));
+            writer.write_record(cells.into_iter().chain(speed))?;
         }
     }
     Ok(writer.into_inner()?)

@@ -1,0 +1,299 @@
+//! Adhesion that depends on the speed of the contact line: the speeds, from contact radii in time, and the work of
+//! adhesion at them.
+
+use std::borrow::Cow;
+
+use contact::RateDependent;
+use nalgebra::{Matrix4, Vector4};
+
+use super::assign::noise_of;
+use super::differences::ContactOf;
+use super::{Branch, Experiment, Kind, Parameter, Solver};
+use crate::Error;
+use crate::statistics::{differences_of, median, range};
+
+/// The fewest points on each side of one whose speed is read.
+const FEWEST: usize = 3;
+/// The change of the radius, in its standard deviations, over which a speed is read.
+const SPAN: f64 = 20.0;
+/// The part of the points of one way, and their number, on each side of which a speed is read at most.
+const PART: usize = 4;
+const MOST: usize = 1000;
+/// The part of neighbouring radii that are alike from which on radii were rounded, as to the pixels of an image, and
+/// the standard deviation of rounding over its step.
+const ROUNDED: f64 = 0.25;
+const OF_ROUNDING: f64 = 0.289;
+/// The steps of a speed, in its standard deviations, by which its error is taken.
+const STEPS: [f64; 2] = [1.0, 3.0];
+/// What a fit needs of the two numbers of the law.
+const BOTH: &str = "positive and finite: a work of adhesion that depends on the speed of the contact line has a doubling-speed \
+     and a speed-exponent, each given or free";
+
+/// The speed of a contact line.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineSpeed {
+    /// The speed, m/s, positive where the line recedes.
+    pub speed: f64,
+    /// Its standard deviation, m/s; 0 is exact, and infinity one that is not known. A fit leaves such points out.
+    pub deviation: f64,
+}
+
+impl Experiment {
+    /// Tells whether the work of adhesion depends on the speed of the contact line.
+    pub(crate) const fn has_line_law(&self) -> bool {
+        self.doubling_speed.is_some() || self.speed_exponent.is_some()
+    }
+
+    /// Tells whether such a law could be fitted, and none is: loads or penetrations at contact radii in time.
+    pub fn may_have_line_law(&self) -> bool {
+        !self.times.is_empty() && !self.has_line_law() && self.why_without_line_speed().is_none()
+    }
+
+    /// Returns why a number of the law has no effect on this experiment, if it has none.
+    pub(super) fn why_without_line_speed(&self) -> Option<&'static str> {
+        let kind = self.measurement.kind;
+        if !matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius) {
+            return Some(
+                "the speed of the contact line is read from contact radii in time, with loads or penetrations",
+            );
+        }
+        matches!(self.bodies.solver, Solver::Stick { .. }).then_some(
+            "with full friction the contact depends on its history, and adhesion that depends on the speed is fitted without \
+             friction only",
+        )
+    }
+
+    /// Accepts the law and what tells the speeds.
+    pub(super) fn accept_line_law(&self) -> Result<(), Error> {
+        if !self.has_line_law() {
+            return Ok(());
+        }
+        for parameter in Parameter::OF_LINE {
+            if let Some(reason) = self.why_without_line_speed() {
+                return Err(self.not_applicable(parameter, reason));
+            }
+            let value = self.get(parameter).unwrap_or(f64::NAN);
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(self.wrong_setting(parameter, value, BOTH));
+            }
+        }
+        let count = self.measurement.points.len();
+        if self.line_speeds.is_empty() {
+            self.accept_times()?;
+        } else if self.line_speeds.len() != count {
+            let allowed = format!("0, or that of the points, {count}");
+            let what = "the number of speeds of the contact line";
+            return Err(self.wrong_setting(what, self.line_speeds.len() as f64, allowed));
+        }
+        let points = self.measurement.points.iter();
+        for (point, one) in points.zip(&self.line_speeds) {
+            let (line, name) = (point.line, "speed of the contact line");
+            if !one.speed.is_finite() {
+                return Err(self.refused(line, name, one.speed, "finite"));
+            }
+            if one.deviation.is_nan() || one.deviation < 0.0 {
+                let allowed = "a standard deviation that is >= 0";
+                return Err(self.refused(line, name, one.deviation, allowed));
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the speed of the contact line at each point: those of
+    /// [`Experiment::line_speeds`], or those that the radii and the times show.
+    ///
+    /// Each is the slope of a cubic through the radii of neighbours in time, as many on each side as the radius
+    /// needs to change by 20 of its standard deviations, but at most a quarter of those that go the same way, and 1000. So its
+    /// standard error is some 10 % where the line moves. The standard deviation of a radius is that which is known, or
+    /// that which neighbours show; where the radii are no cubic their residuals count, too. At the ends of a way a
+    /// slope would depend on how the radii bend: its standard deviation there is infinite.
+    pub(crate) fn speeds_of_line(&self) -> Cow<'_, [LineSpeed]> {
+        let points = &self.measurement.points;
+        if self.line_speeds.len() == points.len() || self.times.len() != points.len() {
+            return Cow::Borrowed(&self.line_speeds);
+        }
+        let mut speeds = vec![LineSpeed::default(); points.len()];
+        let in_contact: Vec<usize> = (0..points.len())
+            .filter(|&i| points[i].abscissa > 0.0)
+            .collect();
+        let way = |i: &usize, j: &usize| points[*i].direction == points[*j].direction;
+        for same in in_contact.chunk_by(way) {
+            let turn =
+                (same.iter()).max_by(|i, j| points[**i].abscissa.total_cmp(&points[**j].abscissa));
+            let turn = turn.filter(|&&i| points[i].direction.is_none());
+            // The point of the turn ends the one way and begins the other.
+            let after = turn.map_or(same.len(), |turn| same.partition_point(|i| i <= turn));
+            for way in [&same[..after], &same[after..]] {
+                self.read_speeds(way, &mut speeds);
+            }
+        }
+        Cow::Owned(speeds)
+    }
+
+    /// Reads the speeds of the points of one way.
+    fn read_speeds(&self, way: &[usize], speeds: &mut [LineSpeed]) {
+        let radii: Vec<f64> = way
+            .iter()
+            .map(|&i| self.measurement.points[i].abscissa)
+            .collect();
+        let times: Vec<f64> = way.iter().map(|&i| self.times[i]).collect();
+        let deviation = self.radius_deviation(&radii);
+        let span = SPAN * deviation;
+        let most = (way.len() / PART).clamp(FEWEST, MOST);
+        let sides: Vec<usize> = (FEWEST..most).collect();
+        for (place, &i) in way.iter().enumerate() {
+            // As many at the ends, where not as many are on each side.
+            let around = |side: usize| {
+                let begin = way.len().saturating_sub(2 * side + 1);
+                let begin = place.saturating_sub(side).min(begin);
+                begin..(begin + 2 * side + 1).min(way.len())
+            };
+            let is_narrow = |side: &usize| range(radii[around(*side)].iter().copied()) < span;
+            let wide = sides.get(sides.partition_point(is_narrow));
+            let around = around(wide.copied().unwrap_or(most));
+            speeds[i] = speed(
+                &times[around.clone()],
+                &radii[around],
+                times[place],
+                deviation,
+            );
+            if place < FEWEST || place + FEWEST >= way.len() {
+                speeds[i].deviation = f64::INFINITY;
+            }
+        }
+    }
+
+    /// Returns the standard deviation of radii in order.
+    fn radius_deviation(&self, radii: &[f64]) -> f64 {
+        let known = self.usual_abscissa_noise();
+        if known > 0.0 {
+            return known;
+        }
+        let steps: Vec<f64> = differences_of(radii).into_iter().map(f64::abs).collect();
+        let moved: Vec<f64> = steps.iter().copied().filter(|step| *step > 0.0).collect();
+        let alike = steps.len() - moved.len();
+        let rounding = if alike as f64 > ROUNDED * steps.len() as f64 && !moved.is_empty() {
+            OF_ROUNDING * median(moved)
+        } else {
+            0.0
+        };
+        noise_of(radii).unwrap_or(0.0).max(rounding)
+    }
+
+    /// Returns the factor of the work of adhesion at a `speed` of the contact line, and its derivatives with respect to
+    /// the numbers of the law.
+    fn line_factor(&self, speed: f64) -> Result<(f64, [f64; 2]), contact::Error> {
+        let (Some(v0), Some(n)) = (self.doubling_speed, self.speed_exponent) else {
+            return Ok((1.0, [0.0; 2]));
+        };
+        let factor = RateDependent::new(1.0, v0, n)?.energy_release_rate(speed)?;
+        if speed == 0.0 {
+            return Ok((factor, [0.0; 2]));
+        }
+        // Of the larger one of the factor and its inverse, 1 + (|v|/v0)^n.
+        let by_logarithm = 1.0 - factor.min(factor.recip());
+        let change = factor * by_logarithm * speed.signum();
+        Ok((factor, [-n / v0 * change, (speed.abs() / v0).ln() * change]))
+    }
+
+    /// Tells whether adhesion depends on the speed at a point, and the speed is not known.
+    pub(crate) fn is_speed_unknown(&self, i: usize) -> bool {
+        let speed = self.line_speeds.get(i);
+        self.has_line_law() && speed.is_some_and(|one| one.deviation.is_infinite())
+    }
+
+    /// Leaves out points in contact at which the speed of the line is not known, and is needed.
+    pub(crate) fn leave_out_unknown_speeds(&self, branches: &mut [Branch]) {
+        if self.has_line_law() {
+            for (one, branch) in self.speeds_of_line().iter().zip(branches) {
+                if one.deviation.is_infinite() && branch.is_contact() {
+                    *branch = Branch::LeftOut;
+                }
+            }
+        }
+    }
+
+    /// Returns what the errors of the speeds add to the standard deviation of each ordinate: the change of the model over a
+    /// step of the speed, by one or by three standard deviations, whichever is the larger one. The law is steepest at rest,
+    /// and a line that seems to move may rest.
+    pub(super) fn parts_of_line_speeds(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        order: &[usize],
+    ) -> Result<Vec<f64>, Error> {
+        let moved = |by: f64| {
+            let mut moved = self.clone();
+            for one in &mut moved.line_speeds {
+                if one.deviation.is_finite() {
+                    one.speed += by * one.deviation;
+                }
+            }
+            let predicted = moved.predict_with(contact_of, branches, order, &[])?;
+            Ok::<_, Error>(predicted.values)
+        };
+        let here = moved(0.0)?;
+        let mut parts = vec![0.0_f64; here.len()];
+        for step in STEPS {
+            let (above, below) = (moved(step)?, moved(-step)?);
+            for (i, part) in parts.iter_mut().enumerate() {
+                let change = (above[i] - here[i]).hypot(below[i] - here[i]);
+                *part = part.max(change / (step * std::f64::consts::SQRT_2));
+            }
+        }
+        Ok(parts)
+    }
+
+    /// Returns the work of adhesion of a branch at a `speed` of the contact line, and its derivative with respect to a
+    /// parameter that moves it.
+    pub(crate) fn work_at(
+        &self,
+        branch: Branch,
+        speed: f64,
+    ) -> Result<(f64, impl Fn(Parameter) -> f64 + use<>), contact::Error> {
+        let work = self.work_of(branch);
+        let (factor, by_law) = self.line_factor(speed)?;
+        let by = move |parameter| match parameter {
+            Parameter::DoublingSpeed => work * by_law[0],
+            Parameter::SpeedExponent => work * by_law[1],
+            _ => factor,
+        };
+        Ok((work * factor, by))
+    }
+}
+
+/// Returns the speed of the line at the time `at`, by the cubic of least squares through radii that have a standard
+/// `deviation`; 0, and not known, of too few radii.
+fn speed(times: &[f64], radii: &[f64], at: f64, deviation: f64) -> LineSpeed {
+    let scale = range(times.iter().copied());
+    // Less the first one, so that large radii are not rounded.
+    let pair = |(time, radius): (&f64, &f64)| {
+        let u = (time - at) / scale;
+        (Vector4::new(1.0, u, u * u, u * u * u), radius - radii[0])
+    };
+    let pairs = times.iter().zip(radii).map(pair);
+    let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
+    for (row, radius) in pairs.clone() {
+        normal += row * row.transpose();
+        right += row * radius;
+    }
+    let count = times.len() as f64;
+    let Some(inverse) = normal.try_inverse().filter(|_| times.len() > right.len()) else {
+        return LineSpeed {
+            speed: 0.0,
+            deviation: f64::INFINITY,
+        };
+    };
+    let cubic = inverse * right;
+    let squares = pairs.map(|(row, radius)| (radius - row.dot(&cubic)).powi(2));
+    let residual = squares.sum::<f64>() / (count - right.len() as f64);
+    let noise = deviation * deviation;
+    // A course that is no cubic errs alike at all points.
+    let variance = noise + count * (residual - noise).max(0.0);
+    // Neighbours read their speeds from the same radii, and together tell no more than one of them.
+    let shared = count / (2 * FEWEST + 1) as f64;
+    LineSpeed {
+        speed: -cubic[1] / scale,
+        deviation: (variance * shared * inverse[(1, 1)]).sqrt() / scale,
+    }
+}

@@ -1,0 +1,129 @@
+//! Adhesion that depends on the speed of the contact line, in `tabulate fit` and `tabulate simulate`.
+
+use std::fs;
+use std::path::Path;
+
+use acceptance::{Data, Workdir, assert_names, assert_near, workdir};
+
+const RUBBER: &str = "--sphere-radius 2mm --sphere-modulus inf --film-thickness 150um --film-poisson-ratio 0.5 \
+     --substrate-modulus 70GPa --substrate-poisson-ratio 0.22 --film-modulus 2MPa";
+const LAW: &str = "--free film-modulus,work-of-adhesion,doubling-speed,speed-exponent";
+
+/// Writes the lens on rubber, each line changed.
+fn rubber(workdir: &Workdir, file: &str, change: impl Fn(&str) -> String) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/fit/data/rubber.csv");
+    let text = fs::read_to_string(path).expect("the file");
+    let lines = text.lines().map(|line| change(line) + "\n");
+    workdir.write(file, lines.collect::<String>());
+}
+
+#[test]
+fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let noise = "--radius-noise 0.2um --noise 2uN";
+    let without = workdir.answer(format!(
+        "fit rubber.csv {RUBBER} {noise} --free film-modulus,work-of-adhesion"
+    ));
+    assert_names(&without.stdout, "--free ...,doubling-speed,speed-exponent");
+    let found = workdir.json(format!(
+        "fit rubber.csv {RUBBER} {noise} {LAW} --json --csv points.csv"
+    ));
+    for (name, truth) in [
+        ("film_modulus", 2e6),
+        ("work_of_adhesion", 0.05),
+        ("doubling_speed", 1e-6),
+        ("speed_exponent", 0.5),
+    ] {
+        let estimate = &found["parameters"][name];
+        let [value, error] =
+            ["value", "stderr"].map(|key| estimate[key].as_f64().expect("a number"));
+        assert!(
+            (value - truth).abs() < 3.0 * error && error < 0.05 * truth,
+            "{estimate}"
+        );
+    }
+    let points = Data::parse("points.csv", &workdir.text("points.csv"));
+    let speeds: Vec<f64> = points
+        .cases()
+        .filter_map(|case| case.text("line_speed").parse().ok())
+        .collect();
+    assert_eq!(speeds.len(), 120 - 12);
+    let sizes = speeds.iter().map(|speed| speed.abs());
+    let ends = [
+        sizes.clone().fold(f64::INFINITY, f64::min),
+        sizes.fold(0.0, f64::max),
+    ];
+    for (own, shown) in ends
+        .iter()
+        .zip(found["line_speed"].as_array().expect("a pair"))
+    {
+        assert_near(*own, shown.as_f64().expect("a number"), 1e-9);
+    }
+    // The contact grows and shrinks.
+    assert!(speeds[0] < 0.0 && speeds[speeds.len() - 1] > 0.0);
+}
+
+#[test]
+fn a_line_of_one_speed_is_simulated_and_found() {
+    let workdir = workdir!();
+    let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
+    workdir.simulate(format!(
+        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {of_line} --from 60um --to 150um --segments cycle \
+         --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
+    ));
+    let free =
+        "--free work-of-adhesion,doubling-speed --value speed-exponent=0.5 --noise 2uN --json";
+    let found = workdir.json(format!("fit cycle.csv {RUBBER} {free}"));
+    for (name, truth) in [("work_of_adhesion", 0.05), ("doubling_speed", 1e-6)] {
+        let estimate = &found["parameters"][name];
+        let [value, error] =
+            ["value", "stderr"].map(|key| estimate[key].as_f64().expect("a number"));
+        assert!(
+            (value - truth).abs() < 4.0 * error && error < 0.02 * truth,
+            "{estimate}"
+        );
+    }
+}
+
+#[test]
+fn wrong_first_calls_say_what_to_do() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let cells = |line: &str, of: fn(Vec<&str>) -> Vec<&str>| {
+        let cells: Vec<&str> = line.split(',').collect();
+        if cells.len() == 4 {
+            of(cells).join(",")
+        } else {
+            line.to_owned()
+        }
+    };
+    rubber(&workdir, "untimed.csv", |line| {
+        cells(line, |cells| cells[1..].to_vec())
+    });
+    rubber(&workdir, "stopwatch.csv", |line| {
+        line.replace("time,", "stopwatch (s),")
+    });
+    rubber(&workdir, "again.csv", |line| {
+        cells(line, |mut cells| {
+            if cells[0] == "201.492" {
+                cells[0] = "2.483";
+            }
+            cells
+        })
+    });
+    rubber(&workdir, "depths.csv", |line| {
+        line.replace("contact_radius", "penetration")
+    });
+    workdir.refuses(format!(
+        "1 | fit untimed.csv {RUBBER} {LAW} | no times; no column is in a unit of time; --sample-interval S
+         1 | fit stopwatch.csv {RUBBER} {LAW} | no times; --column \"time=stopwatch (s)
+         1 | fit again.csv {RUBBER} {LAW} | line 44; times must rise; --sample-interval
+         1 | fit depths.csv {RUBBER} {LAW} | doubling-speed cannot be found; contact radii in time
+         1 | fit rubber.csv {RUBBER} --free film-modulus,work-of-adhesion,doubling-speed | speed-exponent; not given; each given or free
+         2 | fit rubber.csv {RUBBER} --value doubling-speed=1um --value speed-exponent=0.5 | is a length, and a speed is wanted; 2um/s
+         1 | fit rubber.csv {RUBBER} --value doubling-speed=0 --value speed-exponent=0.5 | doubling-speed; positive
+         1 | fit rubber.csv {RUBBER} {LAW} --friction stick | full friction; without friction only
+         1 | simulate --kind load-radius {RUBBER} --value doubling-speed=1um/s --value speed-exponent=0.5 --from 60um --to 150um --noise 2uN | no times; --sample-interval S",
+    ));
+}
