@@ -11,7 +11,7 @@ const LAW: &str = "--free film-modulus,work-of-adhesion,doubling-speed,speed-exp
 
 /// Writes the lens on rubber, each line changed.
 fn rubber(workdir: &Workdir, file: &str, change: impl Fn(&str) -> String) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/fit/data/rubber.csv");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/fit/examples/rubber.csv");
     let text = fs::read_to_string(path).expect("the file");
     let lines = text.lines().map(|line| change(line) + "\n");
     workdir.write(file, lines.collect::<String>());

@@ -91,7 +91,7 @@ fn quotes_the_certificates_of_the_shipped_tables() {
 fn the_commands_of_the_fits_print_what_is_shown() {
     let readme = read("crates/fit/EXPERIMENTS.md");
     let workdir = acceptance::workdir!();
-    copy_folders(&workdir, &["crates/fit/data"]);
+    copy_folders(&workdir, &["crates/fit/data", "crates/fit/examples"]);
     let mut shown = 0;
     for block in readme.split("\n\n    tabulate ").skip(1) {
         let (command, rest) = block.split_once("\n\n").expect("the block ends");

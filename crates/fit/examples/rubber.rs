@@ -1,4 +1,4 @@
-//! Makes `crates/fit/data/rubber.csv`: what a camera and a load cell read of a lens whose adhesion depends on the speed of
+//! Makes `crates/fit/examples/rubber.csv`: what a camera and a load cell read of a lens whose adhesion depends on the speed of
 //! the contact line, while a motor changes the load. `cargo run --release -p coated-contact-fit --example rubber`
 
 use contact::{Contact, Control, RateDependent};
