@@ -116,16 +116,9 @@ impl Experiment {
         let in_contact: Vec<usize> = (0..points.len())
             .filter(|&i| points[i].abscissa > 0.0)
             .collect();
-        let way = |i: &usize, j: &usize| points[*i].direction == points[*j].direction;
-        for same in in_contact.chunk_by(way) {
-            let turn =
-                (same.iter()).max_by(|i, j| points[**i].abscissa.total_cmp(&points[**j].abscissa));
-            let turn = turn.filter(|&&i| points[i].direction.is_none());
-            // The point of the turn ends the one way and begins the other.
-            let after = turn.map_or(same.len(), |turn| same.partition_point(|i| i <= turn));
-            for way in [&same[..after], &same[after..]] {
-                self.read_speeds(way, &mut speeds);
-            }
+        let same = |i: &usize, j: &usize| points[*i].direction == points[*j].direction;
+        for way in in_contact.chunk_by(same) {
+            self.read_speeds(way, &mut speeds);
         }
         Cow::Owned(speeds)
     }
