@@ -222,6 +222,19 @@ def test_young_s_modulus_of_the_sphere_follows_from_the_reduced_one():
         cc.fit(lens(1), ["work_of_adhesion"]).young_modulus_of_sphere(0.5)
 
 
+def test_experiments_of_one_name_are_told_apart():
+    several = [lens(seed=1), replace(lens(seed=2), name="other"), lens(seed=3)]
+    found = cc.fit(several, WANTED)
+    names = ["experiment 0", "other", "experiment 2"]
+    assert [one.name for one in found.experiments] == names
+    below = replace(several[2], abscissa=-several[2].abscissa)
+    wrong = [replace(one, noise=2e-6) for one in (*several[:2], below)]
+    for call in (cc.fit, cc.log_likelihood):
+        refuses(cc.FitError, "experiment 2, point 0", lambda call=call: call(wrong, WANTED))
+    plan = [*wrong[:2], several[2]]
+    refuses(cc.FitError, "noise of experiment 2", lambda: cc.forecast(plan, WANTED))
+
+
 def test_fixed_values_are_left_out_or_refused():
     assert cc.fit(lens(seed=1), WANTED, fixed_values=False).fixed_values == ()
     refuses(

@@ -182,7 +182,8 @@ class Experiment(Remade, OneLine):
         Whether probe and substrate relax like the film. If not, the error of taking them so is
         estimated, and refused above 2 % of the largest load.
     name : str
-        The name of the measurement in messages.
+        The name of the measurement in messages. Of several experiments of one name each gets its
+        number in the list, from 0.
     reading : str
         How :func:`read_experiment` read the points, in one line; empty for other points.
     """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
@@ -112,7 +113,8 @@ def fit(
     """
     errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
     options = (loss, profile_level, interaction_range, allowed_of(allow))
-    found = _native(_core.fit, experiments, free, table, *options, errors, fixed_values)
+    given = told_apart(experiments)
+    found = _native(_core.fit, given, free, table, *options, errors, fixed_values)
     film = found["without_film"]
     return Fit(
         estimates=estimates_of(found),
@@ -295,6 +297,16 @@ def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]
         if not isinstance(one, Experiment):
             raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
     return experiments
+
+
+def told_apart(given: Experiment | Iterable[Experiment]) -> list[Experiment]:
+    """Return experiments that messages tell apart: those of one name with their numbers."""
+    experiments = experiments_of(given)
+    names = [one.name for one in experiments]
+    return [
+        one if names.count(one.name) == 1 else replace(one, name=f"{one.name} {i}")
+        for i, one in enumerate(experiments)
+    ]
 
 
 def free_of(free: Iterable[ParameterName | Free]) -> list[Free]:

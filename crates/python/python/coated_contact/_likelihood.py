@@ -14,7 +14,7 @@ from ._arrays import labels_of, real, scalar_or_array
 from ._columns import Array
 from ._errors import FitError
 from ._experiment import Experiment, Free, ParameterName, one_of
-from ._fit import experiments_of, free_of
+from ._fit import free_of, told_apart
 from ._model import BranchName
 from ._table import Table, native_table
 from ._values import Native, OneLine, set_field
@@ -172,9 +172,8 @@ def log_likelihood(
     >>> round(likelihood([2e6, 0.04]), 1) > round(likelihood([2e6, 0.05]), 1)
     True
     """
-    given = experiments_of(experiments)
     return LogLikelihood(
-        experiments=tuple(given),
+        experiments=tuple(told_apart(experiments)),
         free=tuple(free_of(free)),
         branches=None if branches is None else [_names(of_one) for of_one in branches],
         table=table,

@@ -13,7 +13,7 @@ from . import _core
 from ._arrays import integer, number
 from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, listed, one_of, unit_of
-from ._fit import Allowed, allowed_of, experiments_of, free_of
+from ._fit import Allowed, allowed_of, experiments_of, free_of, told_apart
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of, warnings_of
 from ._indentation import Indentation
 from ._table import Table, native_table
@@ -235,7 +235,7 @@ def forecast(
     >>> print(f"{expected.stderr['sphere_modulus']:.1e} Pa")
     6.8e+03 Pa
     """
-    given = experiments_of(experiments)
+    given = told_apart(experiments)
     native = native_table(table)
     found = _core.forecast(native, given, free_of(free), "magnitudes" in allowed_of(allow))
     estimates = estimates_of(found)
