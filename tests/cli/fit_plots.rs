@@ -6,7 +6,7 @@ use acceptance::{Workdir, assert_names, workdir};
 const BODIES: &str = "--half-space --sphere-radius 1e-3 --sphere-modulus inf --film-modulus 1.5e6 \
      --film-poisson-ratio 0.5 --work-of-adhesion 0.04";
 /// The blue of the approach and the vermilion of the retract.
-const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
+pub const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
 /// The grey of the points that are left out or far off.
 const GREY: &str = "#5a5a5a";
 
@@ -24,7 +24,7 @@ fn fit(workdir: &Workdir, more: &str) {
 
 /// Returns where the outlines of the markers of a colour begin, at the right of each: a tenth of a
 /// pixel is 1.
-fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
+pub fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
     let stroke = format!("stroke=\"{colour}\"");
     svg.split("<path")
         .filter(|path| path.contains(&stroke) && path.contains(" C "))
@@ -90,7 +90,8 @@ fn what_has_no_jkr_plot_is_refused_before_anything_is_written() {
         "
         1 | {fit} {BODIES} --plot-kind jkr | --plot-kind jkr; depth.csv; contact radii
         2 | fit depth.csv --plot-kind jkr | --plot
-        2 | fit depth.csv --plot a.svg --plot-kind line | data; jkr
+        1 | {fit} {BODIES} --plot-kind speed | --plot-kind speed; depth.csv; does not depend on the speed
+        2 | fit depth.csv --plot a.svg --plot-kind line | data; jkr; speed
         "
     ));
     assert_eq!(workdir.files(), ["depth.csv"]);

@@ -5,6 +5,8 @@ use std::path::Path;
 
 use acceptance::{Data, Workdir, assert_names, assert_near, workdir};
 
+use crate::fit_plots::{COLOURS, markers};
+
 const RUBBER: &str = "--sphere-radius 2mm --sphere-modulus inf --film-thickness 150um --film-poisson-ratio 0.5 \
      --substrate-modulus 70GPa --substrate-poisson-ratio 0.22 --film-modulus 2MPa";
 const LAW: &str = "--free film-modulus,work-of-adhesion,doubling-speed,speed-exponent";
@@ -27,7 +29,7 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
     ));
     assert_names(&without.stdout, "--free ...,doubling-speed,speed-exponent");
     let found = workdir.json(format!(
-        "fit rubber.csv {RUBBER} {noise} {LAW} --json --csv points.csv"
+        "fit rubber.csv {RUBBER} {noise} {LAW} --json --csv points.csv --plot speed.svg --plot-kind speed"
     ));
     for (name, truth) in [
         ("film_modulus", 2e6),
@@ -60,8 +62,26 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
     {
         assert_near(*own, shown.as_f64().expect("a number"), 1e-9);
     }
+    // The energies are those of the law, to the noise.
+    for case in points
+        .cases()
+        .filter(|case| !case.text("line_speed").is_empty())
+    {
+        let [speed, energy] = ["line_speed", "energy_release_rate"].map(|name| case.get(name));
+        let factor = 1.0 + (speed.abs() / 1e-6).sqrt();
+        let of_law = if speed > 0.0 {
+            0.05 * factor
+        } else {
+            0.05 / factor
+        };
+        assert!((energy / of_law - 1.0).abs() < 0.15, "{speed:e}: {energy}");
+    }
     // The contact grows and shrinks.
-    assert!(speeds[0] < 0.0 && speeds[speeds.len() - 1] > 0.0);
+    let advancing = speeds.iter().filter(|speed| **speed < 0.0).count();
+    assert!(advancing > 30 && speeds[speeds.len() - 1] > 0.0);
+    let svg = workdir.text("speed.svg");
+    let drawn = COLOURS.map(|colour| markers(&svg, colour).len());
+    assert_eq!(drawn, [advancing, speeds.len() - advancing]);
 }
 
 #[test]

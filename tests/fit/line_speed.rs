@@ -2,6 +2,7 @@
 
 use acceptance::{Contacts, Refused, rigid_probe, solid};
 use contact::{Contact, Control, RateDependent, TimedState};
+use fit::report::line_plot;
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, LineSpeed, Parameter, Point, Solver,
     WarningKind, forecast, simulate,
@@ -113,6 +114,27 @@ fn the_law_of_a_line_that_moves_is_found_from_radii_and_loads() {
             assert!(off.abs() < 0.01, "{law:?}, {parameter}: {off:e}");
         }
     }
+}
+
+#[test]
+fn the_points_of_a_plot_over_speed_are_those_of_the_law() {
+    let exact = read(&moved(LINE), [60, 120]);
+    let found = fitted(&exact, &free_of(&LAW));
+    let plot = line_plot(&found, &exact, 0).expect("a law");
+    assert_eq!(plot.points.len(), 180 - 12);
+    let off = |[speed, energy]: [f64; 2]| {
+        let of_law = plot.law.energy_release_rate(speed).expect("finite");
+        (energy / of_law - 1.0).abs()
+    };
+    let mut off: Vec<f64> = plot.points.iter().map(|&point| off(point)).collect();
+    off.sort_by(f64::total_cmp);
+    // Where the line nearly rests, and where its speed changes fastest, the error of the speed is largest.
+    assert!(
+        off[off.len() * 9 / 10] < 0.01 && off[off.len() - 1] < 0.2,
+        "{off:?}"
+    );
+    let constant = fitted(&exact, &free_of(&LAW[..2]));
+    line_plot(&constant, &exact, 0).refused("does not depend on the speed");
 }
 
 /// Speeds of neighbours come from the same radii. Of a modulus, which the loads tell, too, the errors are too large by up

@@ -139,7 +139,11 @@ def test_the_law_of_a_line_is_found_from_radii_in_time():
     found = cc.fit(measured, free)
     values = [found.params[name] for name in free]
     assert values == pytest.approx([system.sphere_modulus, 0.04, law.v0, law.n], rel=0.01)
-    assert found.experiments[0].left_out == {"unknown-speed": 12}
+    points = found.experiments[0]
+    assert points.left_out == {"unknown-speed": 12}
+    fast = np.abs(points.line_speed) > 1e-8
+    expected = [law.energy_release_rate(speed) for speed in points.line_speed[fast]]
+    assert points.energy_release_rate[fast] == pytest.approx(expected, rel=0.05)
     untimed = replace(measured, time=None)
     refuses(cc.FitError, "no times.*Experiment.time", lambda: cc.fit(untimed, free))
     half = replace(measured, doubling_speed=1e-6)

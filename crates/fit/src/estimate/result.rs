@@ -227,6 +227,8 @@ pub struct FittedPoint {
     /// The speed of the contact line, m/s, positive where it recedes; `None` where adhesion does not depend on it, or it is
     /// not known.
     pub line_speed: Option<f64>,
+    /// The energy release rate that the measured load or penetration tells, J/m^2, where there is such a speed.
+    pub energy_release_rate: Option<f64>,
     /// Whether the residual is more than 5 times its standard deviation.
     pub outlier: bool,
 }

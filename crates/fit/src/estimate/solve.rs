@@ -359,13 +359,19 @@ fn experiment(
     let problem = &found.problem;
     let assigned = &problem.assigned[e];
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
-    let measurement = &assigned.experiment.measurement;
+    let experiment = &assigned.experiment;
+    let measurement = &experiment.measurement;
+    let contact = problem.contact(&experiment.bodies, false);
+    let contact = contact.ok().filter(|_| experiment.has_line_law());
     let point = |(i, point): (usize, &crate::Point)| {
         let branch = assigned.branches[i];
         let counts = branch != Branch::LeftOut;
         let predicted = predicted.filter(|_| counts);
         let fit = problem.ordinate(e, i);
         let without_film = without_film.and_then(|all| all.ordinate(e, i));
+        let speed = experiment.line_speeds.get(i);
+        let speed = speed.filter(|one| counts && one.deviation.is_finite());
+        let line_speed = speed.map(|one| one.speed);
         let deviation = assigned.deviation(i) * measurement.kind.scale(point.ordinate);
         FittedPoint {
             line: point.line,
@@ -378,12 +384,11 @@ fn experiment(
                 .filter(|&radius| radius > 0.0),
             without_film: without_film.filter(|value| value.is_finite()),
             branch: predicted.map_or(branch, |predicted| predicted.branch(i, branch)),
-            line_speed: assigned
-                .experiment
-                .line_speeds
-                .get(i)
-                .filter(|one| counts && one.deviation.is_finite())
-                .map(|one| one.speed),
+            line_speed,
+            energy_release_rate: line_speed.and_then(|_| {
+                let energy = experiment.measured_energy(contact.as_ref()?, point);
+                energy.ok()
+            }),
             outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };

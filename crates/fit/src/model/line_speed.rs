@@ -3,12 +3,12 @@
 
 use std::borrow::Cow;
 
-use contact::RateDependent;
+use contact::{Contact, RateDependent};
 use nalgebra::{Matrix4, Vector4};
 
 use super::assign::noise_of;
 use super::differences::ContactOf;
-use super::{Branch, Experiment, Kind, Parameter, Solver};
+use super::{Branch, Experiment, Kind, Parameter, Point, Solver};
 use crate::Error;
 use crate::statistics::{differences_of, median, range};
 
@@ -235,6 +235,23 @@ impl Experiment {
             }
         }
         Ok(parts)
+    }
+
+    /// Returns the energy release rate that a measured load or penetration at a contact radius tells, J/m^2.
+    pub(crate) fn measured_energy(
+        &self,
+        contact: &Contact,
+        point: &Point,
+    ) -> Result<f64, contact::Error> {
+        let (a, reading) = (
+            point.abscissa,
+            point.ordinate - self.baseline_at(point.abscissa),
+        );
+        if self.measurement.kind == Kind::PenetrationRadius {
+            contact.energy_release_rate_at_penetration(a, reading)
+        } else {
+            contact.energy_release_rate_at_load(a, reading)
+        }
     }
 
     /// Returns the work of adhesion of a branch at a `speed` of the contact line, and its derivative with respect to a

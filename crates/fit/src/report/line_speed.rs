@@ -1,8 +1,53 @@
-//! What a report says of adhesion that depends on the speed of the contact line.
+//! What a report and a picture show of adhesion that depends on the speed of the contact line.
+
+use contact::{Hysteresis, RateDependent};
 
 use super::unit::three_digits;
 use crate::statistics::extremes;
-use crate::{Fit, FittedExperiment};
+use crate::{Error, Experiment, Fit, FittedExperiment, Parameter};
+
+/// The adhesion of an experiment over the speed of the contact line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinePlot {
+    /// The speed (m/s, positive where the line recedes) of each point that counts, and the energy release rate (J/m^2) that
+    /// its load or penetration tells.
+    pub points: Vec<[f64; 2]>,
+    /// The law, as it was found.
+    pub law: RateDependent<Hysteresis>,
+}
+
+/// Returns the adhesion of the experiment `number` of a fit over the speed of the contact line. `experiment` is this
+/// experiment.
+///
+/// # Errors
+/// [`Error::NotFitted`] where adhesion does not depend on the speed; [`Error::Contact`] for a law that is none, as where the
+/// receding work of adhesion is the smaller one.
+///
+/// # Panics
+/// If the fit has no experiment of this `number`.
+pub fn line_plot(fit: &Fit, experiment: &Experiment, number: usize) -> Result<LinePlot, Error> {
+    let value = |parameter: Parameter| {
+        let mut own = fit
+            .estimates
+            .iter()
+            .filter(|one| one.parameter == parameter);
+        let found = own.find(|one| one.experiment.is_none_or(|i| i == number));
+        found.map(|one| one.value).or(experiment.get(parameter))
+    };
+    let [Some(v0), Some(n)] = Parameter::OF_LINE.map(value) else {
+        let reason = "its adhesion does not depend on the speed of the contact line: fit it so, to see the law";
+        return Err(experiment.not_fitted(reason));
+    };
+    let [advancing, receding] = Parameter::WORKS.map(value);
+    let advancing = advancing.unwrap_or(0.0);
+    let slow = Hysteresis::new(advancing, receding.unwrap_or(advancing))?;
+    let points = fit.experiments[number].points.iter();
+    let point = |point: &crate::FittedPoint| Some([point.line_speed?, point.energy_release_rate?]);
+    Ok(LinePlot {
+        points: points.filter_map(point).collect(),
+        law: RateDependent::new(slow, v0, n)?,
+    })
+}
 
 /// Returns the least and the largest speed of the contact line, m/s, of the points that count, without their signs; `None`
 /// where adhesion does not depend on it.

@@ -89,6 +89,11 @@ class FittedExperiment(OneLine):
         The contact radii of the fit, m; NaN without a contact.
     without_film : numpy.ndarray
         The ordinates of the fit without the film; NaN where there is none.
+    line_speed : numpy.ndarray
+        The speeds of the contact line, m/s, positive where it recedes, where adhesion depends on
+        them; NaN elsewhere, and where a speed is not known.
+    energy_release_rate : numpy.ndarray
+        The energy release rates that the ordinates tell at these speeds, J/m^2.
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
@@ -119,6 +124,8 @@ class FittedExperiment(OneLine):
     deviation: Array
     contact_radius: Array
     without_film: Array
+    line_speed: Array
+    energy_release_rate: Array
     branch: list[str]
     outlier: NDArray[np.bool_]
     left_out: dict[str, int]

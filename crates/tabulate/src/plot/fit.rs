@@ -13,10 +13,10 @@ use figures::chart::{
 use figures::picture::legible;
 
 /// The colours of the experiments.
-const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
+pub(super) const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 
 /// The colour of the retract of an experiment that is drawn alone.
-const RETRACT: Colour = VERMILION;
+pub(super) const RETRACT: Colour = VERMILION;
 
 /// The most points in use, and the most of the others, that are drawn of an experiment: more cannot be told apart.
 const MOST: usize = 1500;
@@ -25,7 +25,7 @@ const MOST: usize = 1500;
 const MOST_LARGE: usize = 100;
 
 /// The most experiments that are named in the figure.
-const MOST_NAMES: usize = 5;
+pub(super) const MOST_NAMES: usize = 5;
 
 /// Describes the figure of a fit: for each kind of measurement the data and the residuals.
 pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
@@ -274,7 +274,7 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
 
 /// Returns the names of files. Of long ones the words that all have at their begin or end are left out, and of what is then
 /// still long the begin, if the names still differ.
-fn short_names<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
+pub(super) fn short_names<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
     const LONG: usize = 24;
     let is_long = |name: &str| name.chars().count() > LONG;
     let files = paths.map(|path| path.rsplit(['/', '\\']).next());
@@ -322,7 +322,7 @@ fn short_names<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
 
 /// Writes a text beside one of the points, if there are any. Of many points some are tried, because
 /// all would take long.
-fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side: Side) {
+pub(super) fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side: Side) {
     let every = points.len().div_ceil(20).max(1);
     let places: Vec<Point> = points.into_iter().step_by(every).collect();
     if !places.is_empty() {

@@ -13,6 +13,7 @@ pub(crate) mod fit;
 pub mod force_displacement;
 pub(crate) mod friction;
 pub mod interface;
+pub(crate) mod line_speed;
 pub(crate) mod lookup_cost;
 pub mod paper;
 pub(crate) mod pull_off;

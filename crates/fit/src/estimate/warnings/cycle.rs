@@ -233,18 +233,14 @@ fn at_radius(
     let (load0, penetration0) = contact.load_and_penetration(a, 0.0).ok()?;
     let stiffness = contact.stiffness(a).ok()?;
     let reading = point.ordinate - experiment.baseline_at(a);
-    let (load, penetration, rate) = if experiment.measurement.kind == Kind::LoadRadius {
-        let rate = contact.energy_release_rate_at_load(a, reading).ok()?;
-        (reading, penetration0 - (load0 - reading) / stiffness, rate)
+    let (load, penetration) = if experiment.measurement.kind == Kind::LoadRadius {
+        (reading, penetration0 - (load0 - reading) / stiffness)
     } else {
-        let rate = contact
-            .energy_release_rate_at_penetration(a, reading)
-            .ok()?;
-        (load0 - stiffness * (penetration0 - reading), reading, rate)
+        (load0 - stiffness * (penetration0 - reading), reading)
     };
     Some(Sample {
         x: PI * a * a,
-        excess: work - rate,
+        excess: work - experiment.measured_energy(contact, point).ok()?,
         load,
         penetration,
         position: a,

@@ -9,6 +9,7 @@ use clap::Args;
 use super::one_of;
 use crate::cli::plot::{format, picture};
 use crate::plot::fit::{figure, jkr_figure};
+use crate::plot::line_speed;
 
 /// The flags of the picture.
 #[derive(Args)]
@@ -18,10 +19,12 @@ pub struct PictureArguments {
     plot: Option<PathBuf>,
     /// What --plot draws: the data as they were measured with their residuals, or the reduced JKR
     /// plot of loads at contact radii, load/(sqrt(6 pi) a^(3/2)) against a^(3/2)/(sqrt(pi) R), in
-    /// which a contact without a film is a straight line
+    /// which a contact without a film is a straight line; or the energy release rate over the speed of the contact line, with
+    /// the doubling-speed that was found
     #[arg(long, value_name = "KIND", default_value = "data", requires = "plot", value_parser = one_of([
         ("data", PlotKind::Data),
         ("jkr", PlotKind::Jkr),
+        ("speed", PlotKind::Speed),
     ]))]
     plot_kind: PlotKind,
 }
@@ -31,6 +34,7 @@ pub struct PictureArguments {
 enum PlotKind {
     Data,
     Jkr,
+    Speed,
 }
 
 impl PictureArguments {
@@ -47,6 +51,7 @@ impl PictureArguments {
         let figure = match self.plot_kind {
             PlotKind::Data => figure(fit, experiments),
             PlotKind::Jkr => jkr_figure(fit, experiments).context("--plot-kind jkr")?,
+            PlotKind::Speed => line_speed::figure(fit, experiments).context("--plot-kind speed")?,
         };
         Ok(Some(figure.picture()?.encode(format(path)?)?))
     }

@@ -17,7 +17,7 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
     let has_speeds = fit.experiments.iter().any(|one| line_speeds(one).is_some());
-    let speed = has_speeds.then_some("line_speed");
+    let of_line = has_speeds.then_some(["line_speed", "energy_release_rate"]);
     let columns = [
         "file",
         "line",
@@ -30,7 +30,7 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
         "outlier",
         "without_film",
     ];
-    writer.write_record(columns.into_iter().chain(speed))?;
+    writer.write_record(columns.into_iter().chain(of_line.into_iter().flatten()))?;
     for (fitted, experiment) in fit.experiments.iter().zip(experiments) {
         let points = fitted.points.iter().zip(&experiment.measurement.points);
         for (point, measured) in points {
@@ -51,8 +51,9 @@ pub fn csv(fit: &Fit, experiments: &[Experiment]) -> anyhow::Result<Vec<u8>> {
                 point.outlier.to_string(),
                 or_empty(point.without_film),
             ];
-            let speed = speed.map(|_| or_empty(point.line_speed));
-            writer.write_record(cells.into_iter().chain(speed))?;
+            let of_line =
+                of_line.map(|_| [point.line_speed, point.energy_release_rate].map(or_empty));
+            writer.write_record(cells.into_iter().chain(of_line.into_iter().flatten()))?;
         }
     }
     Ok(writer.into_inner()?)
