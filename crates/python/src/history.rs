@@ -39,14 +39,9 @@ pub fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Re
 
 impl From<HistoryError> for Failure {
     fn from(error: HistoryError) -> Self {
-        let of = Self::new("InputError", &error);
         match error {
             HistoryError::Contact(error) => error.into(),
-            HistoryError::Time { value } => of.about("time", value),
-            HistoryError::Frequency { value } => of.about("omega", value),
-            HistoryError::Tolerance { value } => of.about("tolerance", value).range(1e-10, 1e-2),
-            HistoryError::GrowingAdhesion { advancing } => of.about("advancing energy", advancing),
-            _ => of,
+            error => Self::new("InputError", &error),
         }
     }
 }

@@ -258,10 +258,8 @@ fn mistakes() {
         .receding(Hysteresis::new(0.0, 1e-6).expect("a law"))
         .expect("receding alone");
     for (control, program) in [(Control::Load, &up[..]), (depth, &CYCLES[..])] {
-        let error = adhesive
-            .at(control, program, &[0.5], None)
-            .expect_err("not served");
-        assert_matches!(error, HistoryError::AdhesiveProgram { .. });
+        let course = adhesive.at(control, program, &[0.5], None);
+        course.refused("adhesion; grows, may be held, and falls");
     }
 }
 

@@ -6,38 +6,9 @@ use crate::Error;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HistoryError {
-    /// A time that is negative or not finite.
-    #[error("time = {value:?} s cannot be used: it must be >= 0 and finite")]
-    Time {
-        /// The time, s.
-        value: f64,
-    },
-    /// A frequency that is not positive and finite.
-    #[error("angular frequency = {value:?} rad/s cannot be used: it must be > 0 and finite")]
-    Frequency {
-        /// The angular frequency, rad/s.
-        value: f64,
-    },
-    /// A tolerance out of range.
-    #[error("tolerance = {value:?} cannot be used: it must be from 1e-10 to 1e-2")]
-    Tolerance {
-        /// The tolerance.
-        value: f64,
-    },
-    /// A program, times, a law of the line or rigid bodies that a history cannot take, in a sentence with the numbers.
+    /// A program, times, adhesion or rigid bodies that a history cannot take, in a sentence with the numbers.
     #[error("{0}")]
     Refused(String),
-    /// A history whose first point is in contact.
-    #[error(
-        "the program begins in contact, at {name} = {value:?}: the history before its first point is not \
-         known, and the forces depend on it; begin at {name} <= 0"
-    )]
-    BeginsInContact {
-        /// The quantity imposed.
-        name: &'static str,
-        /// Its first value.
-        value: f64,
-    },
     /// A contact that is not one disc.
     #[error(
         "at {time:?} s the contact is not one disc: a ring of radius {radius:?} m touches outside a \
@@ -73,25 +44,6 @@ pub enum HistoryError {
         tolerance: f64,
         /// The error that was reached.
         reached: f64,
-    },
-    /// An adhesion that acts on a contact that grows.
-    #[error(
-        "the advancing energy is {advancing:?} J/m^2 and must be 0: how much a growing contact gains from adhesion while \
-         the bodies relax depends on the process at the crack tip, for which no law is known here; give the \
-         energy of the receding line alone, `Hysteresis::new(0.0, w)`"
-    )]
-    GrowingAdhesion {
-        /// The energy of the advancing line, J/m^2.
-        advancing: f64,
-    },
-    /// Adhesion together with a program that is not served.
-    #[error(
-        "adhesion is computed for a penetration that grows, may be held, and falls: {reason}; \
-         use such a program, or a contact without adhesion"
-    )]
-    AdhesiveProgram {
-        /// What is different.
-        reason: &'static str,
     },
     /// Bodies that relax differently by too much.
     #[error(

@@ -158,12 +158,15 @@ impl<'a> History<'a> {
     /// the energy at which the law recedes.
     ///
     /// # Errors
-    /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy;
-    /// [`HistoryError::Refused`] for a law whose energy depends on the speed of the line.
+    /// [`HistoryError::Refused`] for a law with an advancing energy, or whose energy depends on the speed of the line.
     pub fn receding(self, law: impl CrackTip) -> Result<Self, HistoryError> {
         let [advancing, receding] = crate::line::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
-            return Err(HistoryError::GrowingAdhesion { advancing });
+            return HistoryError::refused(format!(
+                "the advancing energy is {advancing:?} J/m^2 and must be 0: how much a growing contact gains from adhesion \
+                 while the bodies relax depends on the process at the crack tip, for which no law is known here; give the \
+                 energy of the receding line alone, `Hysteresis::new(0.0, w)`"
+            ));
         }
         if law.speed(2.0 * receding + f64::MIN_POSITIVE).is_finite() {
             return HistoryError::refused(
@@ -203,8 +206,8 @@ impl<'a> History<'a> {
     /// at 1e-5; the error that is reached is stated, and more than 0.5 is an error.
     ///
     /// # Errors
-    /// [`HistoryError`] says which number of the program is wrong; [`HistoryError::BeginsInContact`] unless
-    /// the first value is 0 or less; [`HistoryError::NotOneDisc`] where a dent has not recovered;
+    /// [`HistoryError::Refused`] says what is wrong with the program, as with one whose first value is not 0 or
+    /// less; [`HistoryError::NotOneDisc`] where a dent has not recovered;
     /// [`HistoryError::Unreached`] for a tolerance that is not reached;
     /// [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the curve does not hold the contact
     /// radius.
@@ -216,9 +219,7 @@ impl<'a> History<'a> {
         tolerance: Option<f64>,
     ) -> Result<Course, HistoryError> {
         control.check()?;
-        if let Some(value) = tolerance.filter(|value| !(1e-10..=1e-2).contains(value)) {
-            return Err(HistoryError::Tolerance { value });
-        }
+        tolerance.map_or(Ok(()), crate::line::check_tolerance)?;
         if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
             return HistoryError::refused(format!(
                 "time {} of those asked for is {:?} s and the one before it {:?} s: give them in ascending order",

@@ -59,12 +59,9 @@ impl Program {
         }
         let (begin, end) = (origin, own.duration());
         for &time in asked {
-            if !time.is_finite() {
-                return Err(HistoryError::Time { value: time });
-            }
-            if time < begin {
+            if !(time >= begin && time.is_finite()) {
                 return HistoryError::refused(format!(
-                    "the state at {time:?} s is not known: the program begins at {begin:?} s; ask for times from there on"
+                    "the state at {time:?} s is not known: the program begins at {begin:?} s; ask for finite times from there on"
                 ));
             }
         }
@@ -81,7 +78,10 @@ impl Program {
         }
         let value = own.values[0];
         if value > 0.0 {
-            return Err(HistoryError::BeginsInContact { name, value });
+            return HistoryError::refused(format!(
+                "the program begins in contact, at {name} = {value:?}: the history before its first point is not known, and \
+                 the forces depend on it; begin at {name} <= 0"
+            ));
         }
         Ok(own)
     }

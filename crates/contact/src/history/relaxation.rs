@@ -147,7 +147,7 @@ impl Relaxation {
     /// infinite.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`HistoryError::Time`] for a time that is negative or not finite.
+    /// As [`Relaxation::check`], also for a time that is negative or not finite.
     pub fn modulus(&self, t: f64) -> Result<f64, HistoryError> {
         self.check()?;
         time_of_a_step(t)?;
@@ -210,12 +210,11 @@ impl Relaxation {
     /// That of a power law is `Gamma(1-exponent) (i omega time)^exponent`.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`HistoryError::Frequency`] unless `omega` is positive and finite.
+    /// As [`Relaxation::check`], also unless `omega` is positive and finite.
     pub fn complex(&self, omega: f64) -> Result<[f64; 2], HistoryError> {
         self.check()?;
-        if !(omega > 0.0 && omega.is_finite()) {
-            return Err(HistoryError::Frequency { value: omega });
-        }
+        let holds = omega > 0.0 && omega.is_finite();
+        interp::Error::argument(holds, "omega", omega, "> 0 and finite, in rad/s")?;
         Ok(match *self {
             Self::PowerLaw { exponent, time } => {
                 let size = libm::tgamma(1.0 - exponent) * (omega * time).powf(exponent);
@@ -246,10 +245,7 @@ impl Relaxation {
 }
 
 /// Accepts the time since a step.
-fn time_of_a_step(t: f64) -> Result<(), HistoryError> {
-    if t >= 0.0 && t.is_finite() {
-        Ok(())
-    } else {
-        Err(HistoryError::Time { value: t })
-    }
+fn time_of_a_step(t: f64) -> Result<(), interp::Error> {
+    let holds = t >= 0.0 && t.is_finite();
+    interp::Error::argument(holds, "time", t, ">= 0 and finite, in s")
 }

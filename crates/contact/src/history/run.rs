@@ -185,7 +185,10 @@ impl Run<'_> {
 
     fn refuse_adhesion(&self, reason: &'static str) -> Result<(), HistoryError> {
         match self.history.receding {
-            Some(_) => Err(HistoryError::AdhesiveProgram { reason }),
+            Some(_) => HistoryError::refused(format!(
+                "adhesion is computed for a penetration that grows, may be held, and falls: {reason}; use such a program, \
+                 or a contact without adhesion"
+            )),
             None => Ok(()),
         }
     }

@@ -43,6 +43,12 @@ pub struct TimedState {
     pub energy_release_rate: f64,
 }
 
+/// Accepts the relative tolerance of contacts in time.
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), interp::Error> {
+    let holds = (1e-10..=1e-2).contains(&tolerance);
+    interp::Error::argument(holds, "tolerance", tolerance, "in [1e-10, 1e-2]")
+}
+
 impl<L: CrackTip> ContactLine<'_, L> {
     /// Brings the load (N), the penetration (m) or the position of the spring (m) to `value` in
     /// `duration` (s) at a constant rate. To hold it constant, impose its present value.
@@ -94,12 +100,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
         control.check()?;
         finite_input(control.name(), value)?;
         positive("duration", duration)?;
-        interp::Error::argument(
-            (1e-10..=1e-2).contains(&tolerance),
-            "tolerance",
-            tolerance,
-            "in [1e-10, 1e-2]",
-        )?;
+        check_tolerance(tolerance)?;
         let [advancing, receding] = self.law.at_rest();
         for moving in [receding.next_up(), advancing.next_down().max(0.0)] {
             let speed = self.law.speed(moving);

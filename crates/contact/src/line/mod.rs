@@ -11,3 +11,4 @@ pub use self::contact_line::ContactLine;
 pub(crate) use self::crack_tip::energies_in_order;
 pub use self::crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use self::dynamics::TimedState;
+pub(crate) use self::dynamics::check_tolerance;
