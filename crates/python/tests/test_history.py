@@ -84,7 +84,7 @@ def test_mistakes(change: dict[str, object], words: str) -> None:
 @pytest.mark.parametrize("wrong", [-1.0, math.nan])
 @pytest.mark.parametrize("name", ["modulus", "creep", "complex"])
 def test_an_error_of_a_law_has_the_place(name: str, wrong: float) -> None:
-    values, words = getattr(LAW, name), "time|frequency"
+    values, words = getattr(LAW, name), "time|omega"
     error = refuses(cc.InputError, words, lambda: values([[1.0, 2.0], [wrong, 3.0]]))
     assert error.index == (1, 0)
     assert refuses(cc.InputError, words, lambda: values(wrong)).index is None
