@@ -148,7 +148,7 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
         probe: Probe::Paraboloid { radius: 1e-4 },
         ..paper_system(1e-6)
     };
-    let cohesive = Cohesive::new(&system, 0.04, 2e-7).expect("physical");
+    let cohesive = Cohesive::new(&system, None, 0.04, 2e-7).expect("physical");
     let ranged = format!("{sphere} --interaction-range 2e-7");
     let radii = "--from 4e-6 --to 8e-6 --points 3";
     let rows = workdir.csv(format!("curve {ranged} {radii}"));

@@ -4,8 +4,9 @@
 use acceptance::{Case, Data, Refused, larger, layer, slopes, solid, stack};
 use contact::Control;
 use interp::Elastic;
+use solve::Error;
 use solve::cohesive::{Cohesive, CohesiveState, REACH};
-use solve::stack::Layer;
+use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
 
 /// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
@@ -34,7 +35,7 @@ fn of_row(case: &Case<'_>) -> (Cohesive, f64) {
     );
     let stack = stack(scaled(in_units.base()), &layers);
     let range = w / (case.get("sigma0") * unit);
-    let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, range);
+    let cohesive = on_stack(&stack, radius, sphere_modulus, w, range);
     (cohesive.expect("physical"), PI * w * radius)
 }
 
@@ -83,6 +84,17 @@ fn states_and_pull_offs_agree_with_reference_values() {
     assert!(count > 10, "{count}");
 }
 
+/// Puts a sphere with an attraction on a stack.
+pub fn on_stack(
+    stack: &Stack,
+    radius: f64,
+    modulus: f64,
+    work: f64,
+    range: f64,
+) -> Result<Cohesive, Error> {
+    Cohesive::new(&stack.system(radius, modulus), Some(stack), work, range)
+}
+
 /// A rigid sphere on a half-space of the reduced modulus `MODULUS`, with `R = 1` and `w` in its units,
 /// and the parameter `lambda = 2 sigma0 (R/(pi w K^2))^{1/3}`, `K = 4 E*/3`.
 fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
@@ -91,7 +103,7 @@ fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
     let stack = stack(solid(MODULUS, 0.0), &[layer(MODULUS, 0.0, RADIUS)]);
     let k = 4.0 / 3.0 * MODULUS;
     let stress = 0.5 * lambda / (RADIUS / (PI * WORK * k * k)).cbrt();
-    let cohesive = Cohesive::on_stack(&stack, RADIUS, f64::INFINITY, WORK, WORK / stress);
+    let cohesive = on_stack(&stack, RADIUS, f64::INFINITY, WORK, WORK / stress);
     (cohesive.expect("physical"), RADIUS, WORK)
 }
 
@@ -150,7 +162,7 @@ fn on_film(lambda: f64, confined: bool) -> (Cohesive, [f64; 3]) {
     let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
     let stress = 0.5 * lambda / (radius / (PI * w * k * k)).cbrt();
     let range = w / stress;
-    let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, range);
+    let cohesive = on_stack(&stack, radius, sphere_modulus, w, range);
     (cohesive.expect("physical"), [radius, w, range])
 }
 
@@ -288,13 +300,13 @@ fn values_outside_the_domain_are_named() {
         (0.05, f64::INFINITY, "interaction range"),
         (0.05, 2.0 * radius, "interaction range"),
     ] {
-        Cohesive::on_stack(&film, radius, MODULUS, w, range).refused(name);
+        on_stack(&film, radius, MODULUS, w, range).refused(name);
     }
     let outer = cohesive.state(0.01 * radius).expect("solved").outer_radius;
     cohesive
         .gap(0.01 * radius, &[2.001 * outer])
         .refused("radius");
-    let strong = Cohesive::on_stack(&film, radius, MODULUS, 1e300, 1e-9).expect("positive");
+    let strong = on_stack(&film, radius, MODULUS, 1e300, 1e-9).expect("positive");
     strong.without_contact(1e-3 * radius).refused("overflows");
 }
 
@@ -306,7 +318,7 @@ fn an_attraction_beyond_the_reach_is_refused() {
     let reach = REACH * THICKNESS;
     for radius in [1.0, 1e30] {
         // The bodies would touch at sqrt(2 h0 R), 1.4 mm and more.
-        let far = Cohesive::on_stack(&stack, radius, MODULUS, 1e-9, 1e-6).expect("physical");
+        let far = on_stack(&stack, radius, MODULUS, 1e-9, 1e-6).expect("physical");
         far.without_contact(0.999 * reach).expect("within reach");
         far.without_contact(1.001 * reach).refused("outer radius");
     }

@@ -11,7 +11,7 @@ use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
 
-use super::cohesive::THICKNESS;
+use super::cohesive::{THICKNESS, on_stack};
 
 /// The reduced modulus of the half-space, Pa, and the work of adhesion, J/m^2.
 const MODULUS: f64 = 1e6;
@@ -143,7 +143,7 @@ fn pull_offs_on_films_approach_those_of_the_whole_annulus() {
                 .cohesive_zone(w, CohesiveZone { stress })
                 .expect("a short zone");
             let found = attraction.pull_off(Control::Load).expect("a pull-off");
-            let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, w / stress);
+            let cohesive = on_stack(&stack, radius, sphere_modulus, w, w / stress);
             let whole = cohesive
                 .and_then(|cohesive| cohesive.pull_off(Control::Load))
                 .expect("solved");
@@ -270,7 +270,7 @@ fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
             "{size:?}"
         );
         let jkr = contact.pull_off(w, Control::Load).expect("in range").load;
-        let attracting = Cohesive::new(&system, w, range).expect("within reach");
+        let attracting = Cohesive::new(&system, None, w, range).expect("within reach");
         let load = attracting.pull_off(Control::Load).expect("solved").load;
         let error = (jkr / load - 1.0).abs();
         assert!(
@@ -294,7 +294,7 @@ fn a_confined_contact_does_not_pull_harder_than_its_attraction_bears() {
         assert!(size.range_over_thickness <= ZoneSize::THIN);
         assert_eq!(size.tension > 1.0, !holds, "{size:?}");
         let jkr = contact.pull_off(w, Control::Load).expect("in range").load;
-        let attracting = Cohesive::new(&system, w, range).expect("within reach");
+        let attracting = Cohesive::new(&system, None, w, range).expect("within reach");
         let pull_off = attracting.pull_off(Control::Load).expect("solved");
         let most = w / range * PI * pull_off.outer_radius.powi(2);
         assert!(-pull_off.load < most);

@@ -42,7 +42,7 @@ fn the_lowest_state_before_a_contact_is_between_the_radii_of_the_search() {
         let work = 0.5 * softness * modulus * range;
         let solid = Elastic::new(modulus, 0.0).expect("physical");
         let system = rigid_probe(Probe::Paraboloid { radius }, solid, 1e-6, solid);
-        let cohesive = Cohesive::new(&system, work, range).expect("physical");
+        let cohesive = Cohesive::new(&system, None, work, range).expect("physical");
         let found = cohesive
             .pull_off(Control::Displacement)
             .expect("a pull-off");

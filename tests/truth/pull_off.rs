@@ -31,7 +31,7 @@ impl Case {
     }
 
     fn cohesive(&self) -> Cohesive {
-        Cohesive::new(&self.system, self.work_of_adhesion, self.range).expect("physical")
+        Cohesive::new(&self.system, None, self.work_of_adhesion, self.range).expect("physical")
     }
 
     /// Returns the contact without range, from solves of its own.
@@ -300,7 +300,7 @@ fn scales_change_nothing() {
             other => other,
         };
         let (w, range) = (factor * case.work_of_adhesion, factor * case.range);
-        let large = Cohesive::new(&system, w, range)
+        let large = Cohesive::new(&system, None, w, range)
             .and_then(|large| large.pull_off(control))
             .unwrap_or_else(|e| panic!("{seed}: {e}"));
         let scaled = control.imposed(large.load, large.penetration);
@@ -324,7 +324,7 @@ fn scales_change_nothing() {
 fn a_pull_off_beyond_the_reach_names_the_layer() {
     let system = paper_system(1e-7);
     for control in [Control::Load, Control::Displacement] {
-        let cohesive = Cohesive::new(&system, 0.04, 1e-10).expect("physical");
+        let cohesive = Cohesive::new(&system, None, 0.04, 1e-10).expect("physical");
         let error = cohesive
             .pull_off(control)
             .expect_err("too wide")
@@ -343,7 +343,7 @@ fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
             let pull_off = |radius: f64| {
                 let [film, base] = [1e6, base].map(|young| solid(young, 0.5));
                 let system = rigid_probe(Probe::Paraboloid { radius }, film, film_thickness, base);
-                let cohesive = Cohesive::new(&system, 0.05, range).expect("physical");
+                let cohesive = Cohesive::new(&system, None, 0.05, range).expect("physical");
                 cohesive.pull_off(Control::Load)
             };
             let error = pull_off(radius).expect_err("too wide");

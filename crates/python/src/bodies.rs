@@ -23,9 +23,14 @@ pub type GivenLayer = (Solid, f64, Option<String>, (f64, f64));
 #[pyclass(frozen, module = "coated_contact._core", name = "Probe")]
 pub struct NativeProbe(Probe);
 
-/// Probe, film and substrate.
-#[pyclass(frozen, module = "coated_contact._core", name = "System")]
-pub struct NativeSystem(pub System);
+/// A probe on a film or on layers.
+#[pyclass(frozen, module = "coated_contact._core", name = "Coated")]
+pub struct NativeCoated {
+    /// Probe, film and substrate; of layers, the system whose film is the solid that the probe touches.
+    pub system: System,
+    /// The layers, if there are some.
+    pub named: Option<NamedStack>,
+}
 
 /// A probe on a half-space.
 #[pyclass(frozen, module = "coated_contact._core", name = "HalfSpace")]
@@ -35,43 +40,18 @@ pub struct NativeHalfSpace(pub HalfSpace);
 #[pyclass(frozen, module = "coated_contact._core", name = "Stack")]
 pub struct NativeStack(pub NamedStack);
 
-/// A probe on a stack, with the system whose film is the solid that the probe touches.
-#[pyclass(frozen, module = "coated_contact._core", name = "StackSystem")]
-pub struct NativeStackSystem {
-    pub named: NamedStack,
-    pub system: System,
-}
-
-/// Bodies with a film or layers.
-#[derive(FromPyObject)]
-pub enum Coated<'py> {
-    #[pyo3(transparent)]
-    Film(Bound<'py, NativeSystem>),
-    #[pyo3(transparent)]
-    Layers(Bound<'py, NativeStackSystem>),
-}
-
-/// A system, and the layers if there are some.
-pub type Parts<'a> = (&'a System, Option<&'a NamedStack>);
-
-impl Coated<'_> {
-    /// Returns the bodies in Rust.
-    pub fn get(&self) -> Parts<'_> {
-        match self {
-            Self::Film(film) => (&film.get().0, None),
-            Self::Layers(layers) => {
-                let NativeStackSystem { named, system } = layers.get();
-                (system, Some(named))
-            }
-        }
+impl NativeCoated {
+    /// Returns the layers without their names, if there are some.
+    pub fn stack(&self) -> Option<&Stack> {
+        self.named.as_ref().map(|named| &named.stack)
     }
-}
 
-/// Returns the bodies of a sphere of the Poisson ratio `nu2` that sticks.
-pub fn sticking((system, named): Parts<'_>, nu2: f64) -> Result<Sticking, ::solve::Error> {
-    match named {
-        None => Sticking::on_film(&system.material()?, nu2),
-        Some(named) => Sticking::on_stack(&named.stack, system.sphere_modulus, nu2),
+    /// Returns the bodies of a sphere of the Poisson ratio `nu2` that sticks.
+    pub fn sticking(&self, nu2: f64) -> Result<Sticking, ::solve::Error> {
+        match self.stack() {
+            None => Sticking::on_film(&self.system.material()?, nu2),
+            Some(stack) => Sticking::on_stack(stack, self.system.sphere_modulus, nu2),
+        }
     }
 }
 
@@ -101,7 +81,7 @@ impl NativeProbe {
 }
 
 #[pymethods]
-impl NativeSystem {
+impl NativeCoated {
     #[new]
     fn new(
         py: Python<'_>,
@@ -120,9 +100,28 @@ impl NativeSystem {
                 substrate: solid(substrate)?,
             };
             system.material()?;
-            Ok::<_, Error>(Self(system))
+            let named = None;
+            Ok::<_, Error>(Self { system, named })
         };
         make().or_raise(py)
+    }
+
+    #[staticmethod]
+    fn on_layers(
+        py: Python<'_>,
+        probe: &Bound<'_, NativeProbe>,
+        sphere_modulus: f64,
+        stack: &Bound<'_, NativeStack>,
+    ) -> PyResult<Self> {
+        let named = stack.get().0.clone();
+        let system = System {
+            probe: probe.get().0.clone(),
+            // The radius is that of the probe.
+            ..named.stack.system(1.0, sphere_modulus)
+        };
+        system.material().or_raise(py)?;
+        let named = Some(named);
+        Ok(Self { system, named })
     }
 }
 
@@ -190,26 +189,6 @@ impl NativeStack {
 
     fn compressibility(&self) -> f64 {
         self.0.stack.compressibility()
-    }
-}
-
-#[pymethods]
-impl NativeStackSystem {
-    #[new]
-    fn new(
-        py: Python<'_>,
-        probe: &Bound<'_, NativeProbe>,
-        sphere_modulus: f64,
-        stack: &Bound<'_, NativeStack>,
-    ) -> PyResult<Self> {
-        let named = stack.get().0.clone();
-        let system = System {
-            probe: probe.get().0.clone(),
-            // The radius is that of the probe.
-            ..named.stack.system(1.0, sphere_modulus)
-        };
-        system.material().or_raise(py)?;
-        Ok(Self { named, system })
     }
 }
 

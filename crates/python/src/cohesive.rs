@@ -3,14 +3,12 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use ::contact::CohesiveState;
-use ::solve::Error;
 use ::solve::{cohesive, parallel};
-use interp::Probe;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Outputs, Points, columns};
-use crate::bodies::Coated;
+use crate::bodies::NativeCoated;
 use crate::contact::{Imposed, control};
 use crate::error::OrRaise as _;
 use crate::interruption::interruptible;
@@ -32,30 +30,12 @@ pub fn numbers(state: CohesiveState) -> CohesiveNumbers {
     ]
 }
 
-/// Adds an attraction to bodies.
-fn attracting(
-    bodies: &Coated<'_>,
-    work_of_adhesion: f64,
-    range: f64,
-) -> Result<cohesive::Cohesive, Error> {
-    let (system, named) = bodies.get();
-    let Some(named) = named else {
-        return cohesive::Cohesive::new(system, work_of_adhesion, range);
-    };
-    let Probe::Paraboloid { radius } = system.probe else {
-        return Err(Error::OnlyParaboloid {
-            probe: system.probe.name(),
-        });
-    };
-    let modulus = system.sphere_modulus;
-    cohesive::Cohesive::on_stack(&named.stack, radius, modulus, work_of_adhesion, range)
-}
-
 #[pymethods]
 impl Cohesive {
     #[new]
-    fn new(py: Python<'_>, bodies: Coated<'_>, w: f64, range: f64) -> PyResult<Self> {
-        let made = attracting(&bodies, w, range);
+    fn new(py: Python<'_>, bodies: &Bound<'_, NativeCoated>, w: f64, range: f64) -> PyResult<Self> {
+        let bodies = bodies.get();
+        let made = cohesive::Cohesive::new(&bodies.system, bodies.stack(), w, range);
         made.map(Self).or_raise(py)
     }
 

@@ -13,9 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Input, Output, Outputs, Points, add, columns};
-use crate::bodies::{
-    Coated, NativeHalfSpace, NativeStack, NativeStackSystem, NativeSystem, sticking,
-};
+use crate::bodies::{NativeCoated, NativeHalfSpace, NativeStack};
 use crate::error::{Failure, OrRaise as _, other_stack, unknown};
 use crate::table::Table;
 
@@ -122,38 +120,30 @@ impl Contact {
             .or_raise(py)
     }
 
-    /// Looks up the contact of a film.
+    /// Looks up the contact of a film, or of a stack, which is that of the table, `own`.
     #[staticmethod]
     fn in_table(
         py: Python<'_>,
         table: &Bound<'_, Table>,
-        system: &Bound<'_, NativeSystem>,
-    ) -> PyResult<Self> {
-        let (table, system) = (table.get(), &system.get().0);
-        py.detach(|| ::contact::Contact::in_table(table.get(), system))
-            .map(|contact| Self {
-                origin: Some((table.clone(), system.clone())),
-                ..Self::alone(contact)
-            })
-            .or_raise(py)
-    }
-
-    /// Looks up the contact of a stack, which is that of the table, `own`.
-    #[staticmethod]
-    fn in_stack_table(
-        py: Python<'_>,
-        table: &Bound<'_, Table>,
-        system: &Bound<'_, NativeStackSystem>,
+        bodies: &Bound<'_, NativeCoated>,
         own: Option<&Bound<'_, NativeStack>>,
     ) -> PyResult<Self> {
-        let NativeStackSystem { named, system } = system.get();
-        let stack = &named.stack;
+        let (table, bodies) = (table.get(), bodies.get());
+        let system = &bodies.system;
+        let Some(stack) = bodies.stack() else {
+            return py
+                .detach(|| ::contact::Contact::in_table(table.get(), system))
+                .map(|contact| Self {
+                    origin: Some((table.clone(), system.clone())),
+                    ..Self::alone(contact)
+                })
+                .or_raise(py);
+        };
         if own.is_some_and(|own| own.get().0.stack != *stack) {
             return Err(other_stack().raise(py));
         }
-        let table = table.get().get();
         Self::of_curve(py, system, || {
-            Ok(stack.curve_in(table, system.sphere_modulus)?)
+            Ok(stack.curve_in(table.get(), system.sphere_modulus)?)
         })
     }
 
@@ -161,17 +151,17 @@ impl Contact {
     #[staticmethod]
     fn solved(
         py: Python<'_>,
-        bodies: Coated<'_>,
+        bodies: &Bound<'_, NativeCoated>,
         a_over_t: [f64; 2],
         tolerance: f64,
     ) -> PyResult<Self> {
-        let (system, named) = bodies.get();
+        let bodies = bodies.get();
+        let system = &bodies.system;
         Self::of_curve(py, system, || {
-            Ok(match named {
+            Ok(match bodies.stack() {
                 None => ::solve::curve(&system.material()?, a_over_t, tolerance),
-                Some(named) => {
-                    let modulus = system.sphere_modulus;
-                    ::solve::stack_curve(&named.stack, modulus, a_over_t, tolerance)
+                Some(stack) => {
+                    ::solve::stack_curve(stack, system.sphere_modulus, a_over_t, tolerance)
                 }
             }?)
         })
@@ -182,15 +172,15 @@ impl Contact {
     #[staticmethod]
     fn stuck(
         py: Python<'_>,
-        bodies: Coated<'_>,
+        bodies: &Bound<'_, NativeCoated>,
         a_over_t: [f64; 2],
         tolerance: f64,
         nu2: f64,
         ratio: f64,
     ) -> PyResult<Self> {
         let bodies = bodies.get();
-        Self::of_curve(py, bodies.0, || {
-            let sticking = sticking(bodies, nu2)?;
+        Self::of_curve(py, &bodies.system, || {
+            let sticking = bodies.sticking(nu2)?;
             Ok(StickCurves::new(&sticking, a_over_t, tolerance)?.receding(ratio)?)
         })
     }

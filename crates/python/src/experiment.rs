@@ -7,11 +7,10 @@ use fit::{
     Bodies, Direction, Experiment, Interrupt, Kind, Measurement, NamedLayer, Numbering, Point,
     PointErrors, Relaxing, Solver,
 };
-use interp::System;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
-use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
+use crate::bodies::{NativeCoated, NativeHalfSpace};
 use crate::error::{OrRaise as _, unknown};
 use crate::history::{LawNumbers, law};
 use crate::indentation::GivenIndentation;
@@ -69,11 +68,9 @@ impl GivenNoise<'_> {
 #[derive(FromPyObject)]
 enum GivenBodies<'py> {
     #[pyo3(transparent)]
-    Coated(Bound<'py, NativeSystem>),
+    Coated(Bound<'py, NativeCoated>),
     #[pyo3(transparent)]
     HalfSpace(Bound<'py, NativeHalfSpace>),
-    #[pyo3(transparent)]
-    Layered(Bound<'py, NativeStackSystem>),
 }
 
 /// Makes experiments, as [`one`].
@@ -126,22 +123,23 @@ pub fn one(py: Python<'_>, given: &Given<'_>, frictionless: &Solver) -> PyResult
         }),
         other => return Err(unknown("friction", other)),
     };
-    let layered = |system: &System, layers| Bodies {
-        layers,
-        solver: stick.as_ref().unwrap_or(frictionless).clone(),
-        ..Bodies::bare(&measurement, system.without_film())
-    };
     let bodies = match &given.bodies {
-        GivenBodies::Coated(system) if stick.is_some() => {
-            let system = &system.get().0;
-            layered(system, NamedLayer::of_film(system))
-        }
-        GivenBodies::Coated(system) => Bodies::coated(&system.get().0),
         GivenBodies::HalfSpace(half_space) => Bodies::half_space(half_space.get().0.clone()),
-        GivenBodies::Layered(layers) => {
-            let NativeStackSystem { named, system } = layers.get();
-            let layers = NamedLayer::all(&named.stack, &named.names).or_raise(py)?;
-            layered(system, layers)
+        GivenBodies::Coated(coated) => {
+            let NativeCoated { system, named } = coated.get();
+            let layers = match named {
+                None if stick.is_none() => None,
+                None => Some(NamedLayer::of_film(system)),
+                Some(named) => Some(NamedLayer::all(&named.stack, &named.names).or_raise(py)?),
+            };
+            match layers {
+                None => Bodies::coated(system),
+                Some(layers) => Bodies {
+                    layers,
+                    solver: stick.unwrap_or_else(|| frictionless.clone()),
+                    ..Bodies::bare(&measurement, system.without_film())
+                },
+            }
         }
     };
     let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;

@@ -37,8 +37,7 @@ use pyo3::prelude::*;
 mod _core {
     #[pymodule_export]
     use super::bodies::{
-        NativeHalfSpace, NativeProbe, NativeStack, NativeStackSystem, NativeSystem, check_elastic,
-        read_stack,
+        NativeCoated, NativeHalfSpace, NativeProbe, NativeStack, check_elastic, read_stack,
     };
     #[pymodule_export]
     use super::cohesive::Cohesive;

@@ -6,7 +6,7 @@ use interp::Material;
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Outputs, Points};
-use crate::bodies::{Coated, NativeStack, sticking};
+use crate::bodies::{NativeCoated, NativeStack};
 
 /// Solves every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`, `tolerance`. Returns
 /// `pi0`, `eeq`, `gamma`, `delta0` and the estimated error.
@@ -56,16 +56,18 @@ pub fn solve_stick_punch<'py>(points: Points<'py>, inputs: [Input<'_>; 7]) -> Ou
 /// `a`, of the Poisson ratio `nu2`, to a `tolerance`.
 #[pyfunction]
 pub fn stick_stiffening<'py>(
-    bodies: Coated<'py>,
+    bodies: &Bound<'py, NativeCoated>,
     points: Points<'py>,
     a: Input<'_>,
     nu2: Input<'_>,
     tolerance: Input<'_>,
 ) -> Outputs<'py, 1> {
     let bodies = bodies.get();
-    let film_thickness = bodies.0.film_thickness;
+    let film_thickness = bodies.system.film_thickness;
     let one = |[a, nu2, tolerance]: [f64; 3]| {
-        let ratio = sticking(bodies, nu2)?.stiffening(a / film_thickness, tolerance)?;
+        let ratio = bodies
+            .sticking(nu2)?
+            .stiffening(a / film_thickness, tolerance)?;
         Ok::<_, ::solve::Error>([ratio])
     };
     points.evaluate_on_all_cores([&a, &nu2, &tolerance], one)

@@ -21,7 +21,7 @@ fn paper(lambda: f64) -> Cohesive {
     // 2 (w/h0) (R/(pi w K^2))^(1/3) = lambda with K = 4/3 Es*, Es* = 0.7 MPa.
     let (w, k) = (2e-3, 0.7e6 / 0.75);
     let range = 2.0 * w / lambda * (1e-4 / (std::f64::consts::PI * w * k * k)).cbrt();
-    Cohesive::new(&system, w, range).expect("physical")
+    Cohesive::new(&system, None, w, range).expect("physical")
 }
 
 fn states(criterion: &mut Criterion) {

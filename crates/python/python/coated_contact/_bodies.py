@@ -149,7 +149,7 @@ class System(UnderProbe):
         set_field(self, "film", film)
         film_thickness = set_number(self, "film_thickness", film_thickness)
         set_field(self, "substrate", substrate)
-        native = _core.System(*touching, film._numbers(), film_thickness, substrate._numbers())
+        native = _core.Coated(*touching, film._numbers(), film_thickness, substrate._numbers())
         set_field(self, "_native", native)
 
     def without_film(self) -> HalfSpace:

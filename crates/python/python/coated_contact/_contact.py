@@ -673,12 +673,9 @@ class SolvedCurve:
 def _native(system: object, table: object) -> Any:
     """Make the native contact."""
     native: Any = getattr(table, "_native", None)
-    if isinstance(native, _core.Table):
-        if isinstance(system, System):
-            return _core.Contact.in_table(native, system._native)
-        if isinstance(system, StackSystem):
-            own: Any = getattr(table, "stack", None)
-            return _core.Contact.in_stack_table(native, system._native, own and own._native)
+    if isinstance(native, _core.Table) and isinstance(system, (System, StackSystem)):
+        own: Any = getattr(table, "stack", None) if isinstance(system, StackSystem) else None
+        return _core.Contact.in_table(native, system._native, own and own._native)
     if isinstance(system, HalfSpace) and table is None:
         return _core.Contact.half_space(system._native)
     if isinstance(table, SolvedCurve) and isinstance(system, (System, StackSystem)):

@@ -39,49 +39,33 @@ pub struct Cohesive {
 }
 
 impl Cohesive {
-    /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `z0` (m) of the
-    /// attraction, whose traction is `sigma0 = w/z0`. The probe is a paraboloid.
+    /// Takes a film on a substrate, or a `stack` of layers in its place, whose [`Stack::system`] the `system` is, the work of
+    /// adhesion `w` (J/m^2) and the range `z0` (m) of the attraction, whose traction is `sigma0 = w/z0`. The probe is a
+    /// paraboloid.
     ///
     /// # Errors
     /// As [`System::material`]; [`Error::Domain`] unless `w` is positive and `z0` is at least 1e-100 m, and for a
     /// range that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
-    pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
-        let film = Compliance::new(&system.material()?);
-        Self::of_surface(Arc::new(film), system, work_of_adhesion, range)
-    }
-
-    /// Takes a stack of layers under a sphere of the radius `sphere_radius` (m) and the reduced
-    /// modulus `sphere_modulus` (Pa; infinity is rigid).
-    ///
-    /// # Errors
-    /// As [`Cohesive::new`].
-    pub fn on_stack(
-        stack: &Stack,
-        sphere_radius: f64,
-        sphere_modulus: f64,
-        work_of_adhesion: f64,
-        range: f64,
-    ) -> Result<Self, Error> {
-        let merged = stack.merged().of_top_layer();
-        let system = System {
-            film_thickness: merged.top().thickness,
-            ..merged.system(sphere_radius, sphere_modulus)
-        };
-        if merged.is_film() {
-            return Self::new(&system, work_of_adhesion, range);
-        }
-        let layers = LayeredCompliance::new(&merged);
-        Self::of_surface(Arc::new(layers), &system, work_of_adhesion, range)
-    }
-
-    /// Takes the surface of a system whose film is the top layer.
-    fn of_surface(
-        surface: Arc<dyn SurfaceCompliance>,
+    pub fn new(
         system: &System,
+        stack: Option<&Stack>,
         work_of_adhesion: f64,
         range: f64,
     ) -> Result<Self, Error> {
+        let merged = stack.map(|stack| stack.merged().of_top_layer());
+        let system = &match &merged {
+            Some(merged) => System {
+                probe: system.probe.clone(),
+                film_thickness: merged.top().thickness,
+                ..merged.system(1.0, system.sphere_modulus)
+            },
+            None => system.clone(),
+        };
         let material = system.material()?;
+        let surface: Arc<dyn SurfaceCompliance> = match merged.filter(|merged| !merged.is_film()) {
+            Some(merged) => Arc::new(LayeredCompliance::new(&merged)),
+            None => Arc::new(Compliance::new(&material)),
+        };
         let modulus = match material.normalisation() {
             Normalisation::Sphere => system.sphere_modulus,
             Normalisation::Film => system.film.reduced(),

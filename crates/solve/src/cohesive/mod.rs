@@ -27,7 +27,7 @@
 //!     substrate: Elastic::new(2e11, 0.25)?,
 //! };
 //! // 0.05 J/m^2, acting over 10 nm.
-//! let cohesive = Cohesive::new(&system, 0.05, 10e-9)?;
+//! let cohesive = Cohesive::new(&system, None, 0.05, 10e-9)?;
 //! let pull_off = cohesive.pull_off(Control::Load)?;
 //! println!("{:.3e} N at a = {:.3e} m", pull_off.load, pull_off.contact_radius);
 //! # Ok(()) }

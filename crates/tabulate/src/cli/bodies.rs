@@ -320,20 +320,8 @@ impl Bodies {
             "interaction range = {range:?} m: it must be at most the radius of the sphere, {sphere_radius:?} m, and is \
              some nanometres in most contacts; check its unit"
         );
-        if !system.probe.is_paraboloid() {
-            let probe = system.probe.name();
-            return Err(solve::Error::OnlyParaboloid { probe }.into());
-        }
-        Ok(match stack {
-            Some(layers) => Cohesive::on_stack(
-                layers.stack(),
-                sphere_radius,
-                system.sphere_modulus,
-                work_of_adhesion,
-                range,
-            )?,
-            None => Cohesive::new(system, work_of_adhesion, range)?,
-        })
+        let stack = stack.as_ref().map(Layers::stack);
+        Ok(Cohesive::new(system, stack, work_of_adhesion, range)?)
     }
 }
 

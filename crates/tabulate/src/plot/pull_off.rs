@@ -93,7 +93,7 @@ impl Bodies {
         );
         let es = 1.0 / (1.0 / film.reduced() + 1.0 / sphere);
         let range = (radius * (w / es).powi(2)).cbrt() / tabor;
-        let cohesive = Cohesive::on_stack(&stack, radius, sphere, w, range)?;
+        let cohesive = Cohesive::new(&stack.system(radius, sphere), Some(&stack), w, range)?;
         let load = cohesive.pull_off(Control::Load)?.load;
         Ok([tabor, load / (PI * w * radius)])
     }
