@@ -82,7 +82,10 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
         let forged = with(nodes, &format!("nodes = [{wrong},{others}"));
         cases.push((forged, "not the scene's"));
     }
-    cases.push((with("from = 0.01", "from = -1.0"), "not the scene's"));
+    cases.push((
+        with("evenness = [", "evenness = [-1.0, "),
+        "not the scene's",
+    ));
     for (forged, words) in cases {
         workdir.write(JOURNAL, &forged);
         workdir.refuses(format!(

@@ -41,9 +41,8 @@ pub fn table(scene: &str) -> Table {
 /// Makes the table of a scene.
 fn make(scene: &str) -> Table {
     let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
-    let axes = Plan::new(&scene)
-        .expect("the tests' scenes are within reach")
-        .axes();
+    let plan = Plan::new(&scene).expect("the tests' scenes are within reach");
+    let axes = plan.axes(&scene);
     let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
     let mut table =
         Table::new(scene.description(), axes, values).expect("a sweep makes a whole table");

@@ -32,7 +32,8 @@ const E0: (&str, &str) = (
 /// Solves a scene. Returns its axes and values, and the number of contacts solved.
 fn solved(text: &str) -> (Scene, [Vec<f64>; 4], Values, usize) {
     let scene = Scene::parse(text, None).expect("a sound scene");
-    let axes = Plan::new(&scene).expect("its nodes are stated").axes();
+    let plan = Plan::new(&scene).expect("its nodes are stated");
+    let axes = plan.axes(&scene);
     let count = AtomicUsize::new(0);
     let values = sweep(&scene, &axes, &|points| {
         count.fetch_add(points, Ordering::Relaxed);
@@ -154,7 +155,8 @@ fn a_plan_obeys_stated_nodes_and_asks_for_more_where_the_tolerance_is_smaller() 
         .build()
         .expect("a thread");
     assert_eq!(pool.install(|| shape("1e-5")), shapes[1]);
-    let [_, (_, e1), ..] = Plan::new(&scene("1e-5")).expect("within reach").axes();
+    let scene = scene("1e-5");
+    let [_, (_, e1), ..] = Plan::new(&scene).expect("within reach").axes(&scene);
     assert!(
         (e1[4] - 1.0).abs() <= 1e-15 && (e1[0], e1[8]) == (0.1, 10.0),
         "{e1:?}"

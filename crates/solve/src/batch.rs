@@ -149,7 +149,7 @@ impl Shared {
             }
         }
         let prepare = |(scale, compliances): (i32, Vec<&Compliance>)| {
-            let abscissae = galerkin::shared_abscissae(x, compliances, &[], tolerance);
+            let abscissae = galerkin::shared_abscissae(x, compliances, tolerance);
             let bessel = abscissae.bessel_values();
             (scale, (abscissae, bessel))
         };
@@ -182,7 +182,7 @@ impl Shared {
                 && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| assemble(abscissae, bessel));
-                if let Some(solved) = operator.solve_to(&symbol, &[], self.tolerance) {
+                if let Some(solved) = operator.solve_to(&symbol, self.tolerance) {
                     return Ok(solved.quantities);
                 }
             }

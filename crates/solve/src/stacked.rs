@@ -87,7 +87,7 @@ pub fn solve_stack_under_spheres(
     let x = a_over_t * layers.thickness_over_top;
     let operator = OnceLock::new();
     let assemble = || {
-        let abscissae = galerkin::shared_abscissae(x, [compliance], &[], tolerance);
+        let abscissae = galerkin::shared_abscissae(x, [compliance], tolerance);
         Operator::for_many_spheres(compliance, &abscissae, &abscissae.bessel_values())
     };
     try_map(0..sphere_moduli.len(), |i| {
@@ -97,7 +97,7 @@ pub fn solve_stack_under_spheres(
             return solve_one(i);
         }
         let operator = operator.get_or_init(assemble);
-        match operator.solve_to(&symbol, &[], tolerance) {
+        match operator.solve_to(&symbol, tolerance) {
             Some(solved) => Ok(contact.at_surface(solved.quantities)),
             None => solve_one(i),
         }

@@ -199,7 +199,7 @@ const ORDER: [Parameter; 4] = [
 fn default_box([nodes, form, tolerance]: [f64; 3]) -> Table {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/default.toml");
     let scene = Scene::read(Path::new(scene), Some(nodes)).expect("a sound scene");
-    let axes = Plan::new(&scene).expect("within reach").axes();
+    let axes = Plan::new(&scene).expect("within reach").axes(&scene);
     let values = sweep(&scene, &axes, &|_| {}).expect("within reach");
     let description = Description {
         tolerance,

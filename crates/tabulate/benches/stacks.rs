@@ -67,7 +67,7 @@ fn curves(criterion: &mut Criterion) {
 /// The nodes of one `a/t` under one sphere and under 29.
 fn sweeps(criterion: &mut Criterion) {
     let scene = Scene::parse(SCENE, None).expect("a sound scene");
-    let planned = Plan::new(&scene).expect("within reach").axes();
+    let planned = Plan::new(&scene).expect("within reach").axes(&scene);
     let (from, to) = (planned[1].1[0], planned[1].1[planned[1].1.len() - 1]);
     let mut group = criterion.benchmark_group("nodes of the table at a/t = 6.5");
     for spheres in [1, 29] {
@@ -85,7 +85,7 @@ fn sweeps(criterion: &mut Criterion) {
 /// The curve and a load of a sphere of 2 MPa, by the table and by direct solves.
 fn lookups(criterion: &mut Criterion) {
     let scene = Scene::parse(SCENE, None).expect("a sound scene");
-    let axes = Plan::new(&scene).expect("within reach").axes();
+    let axes = Plan::new(&scene).expect("within reach").axes(&scene);
     let values = sweep(&scene, &axes, &|_| ()).expect("within reach");
     let table = Table::new(scene.description(), axes, values).expect("a whole table");
     let named = stack_of(&table).expect("a sound scene");

@@ -107,18 +107,14 @@ pub fn solve<C: SurfaceCompliance>(
 }
 
 /// Returns abscissae for the operators of all `compliances` at `x = a/t`, which serve nearly every
-/// sphere, and the power laws with the `exponents`, to `tolerance`. A few modes more than most
-/// spheres need cost less than one contact solved alone.
+/// sphere to `tolerance`. A few modes more than most spheres need cost less than one contact solved alone.
 pub fn shared_abscissae<'a, C: SurfaceCompliance + 'a>(
     x: f64,
     compliances: impl IntoIterator<Item = &'a C>,
-    exponents: &[f64],
     tolerance: f64,
 ) -> Abscissae {
     let panels = Panels::new(x, compliances, PanelWeights::BesselProducts, tolerance);
-    let modes = modes(x, 0.1 * tolerance);
-    // The kink of a cone at its tip takes half as many more.
-    Abscissae::new(x, modes + exponents.len() * modes / 2, panels)
+    Abscissae::new(x, modes(x, 0.1 * tolerance), panels)
 }
 
 /// Estimates the time for one contact roughly, in microseconds, to choose between methods: a fit to

@@ -156,15 +156,14 @@ impl<'a> Operator<'a> {
         (operator, slope)
     }
 
-    /// Solves the contact of one sphere, as [`Operator::solve`], if its estimated error is at most
+    /// Solves the contact of one sphere alone, as [`Operator::solve`], if its estimated error is at most
     /// `tolerance`.
     pub fn solve_to<C: SurfaceCompliance>(
         &self,
         symbol: &Symbol<C>,
-        exponents: &[f64],
         tolerance: f64,
     ) -> Option<Solved> {
-        self.solve(symbol, exponents)
+        self.solve(symbol, &[])
             .filter(|solved| solved.error() <= tolerance)
     }
 

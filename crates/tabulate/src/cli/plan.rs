@@ -7,12 +7,12 @@ use serde_json::json;
 
 use super::info::{self, row};
 use super::json;
-use crate::table::{Plan, Scene, sweep};
+use crate::table::{Extent, Plan, Scene, sweep};
 
 /// Prints the nodes of the table of a scene, and an estimate of its cost.
 pub fn print(scene: &Scene, certificate_points: usize, as_json: bool) -> anyhow::Result<()> {
     let plan = Plan::new(scene)?;
-    let (axes, points) = (plan.axes(), plan.points());
+    let (axes, points) = (plan.axes(scene), plan.points());
     let per_point = seconds_per_point(scene, &axes)?;
     let certificate = (per_point + SECONDS_PER_CURVE / rayon::current_num_threads() as f64)
         * certificate_points as f64;
@@ -46,7 +46,8 @@ pub fn print(scene: &Scene, certificate_points: usize, as_json: bool) -> anyhow:
     text += &row("time", format_args!("about {seconds:.1} s"));
     text += &row("memory", format_args!("about {:.0} MB", memory / 1e6));
     text += &row("size", format_args!("about {size}"));
-    if plan.can_grow() {
+    let is_planned = |extent: &Extent| matches!(extent, Extent::Range { .. });
+    if scene.extents.iter().any(is_planned) {
         text += &row("if missed", MADE_AGAIN);
     }
     super::print(text.as_bytes())

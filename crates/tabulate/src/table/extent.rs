@@ -1,7 +1,6 @@
 //! The box of parameters of a scene.
 
 use interp::{Parameter, SubstratePoissonRatio};
-use serde::{Deserialize, Serialize};
 
 use crate::stack::NamedStack;
 
@@ -9,8 +8,7 @@ use crate::stack::NamedStack;
 pub(crate) const MOST_NODES: usize = 10_000;
 
 /// The values of one parameter in a checked scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
     /// One number. The parameter is held fixed and adds no cost.
     Fixed(f64),

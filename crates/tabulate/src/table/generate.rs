@@ -302,7 +302,7 @@ fn table(
     by: (&dyn Observer, Solver<'_>),
     budget: Option<Budget<'_>>,
 ) -> Result<Table, Error> {
-    let axes = plan.axes();
+    let axes = plan.axes(scene);
     let sweep = Sweep::new(scene, &axes)?;
     solve(&sweep, journal, by, budget)?;
     let mut values = sweep.blank();

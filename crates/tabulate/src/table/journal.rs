@@ -360,7 +360,7 @@ mod tests {
     #[test]
     fn a_damaged_journal_is_read_or_refused() {
         const WORDS: &str = "\0\0\0\0\0\0\0\0|COATJRN\n|nodes = [1, |nodes = [9223372036854775807, |\
-             from = nan|evenness = [-1.0, |round = 7|\n";
+             evenness = [-1.0, |round = 7|\n";
         let folder = tempfile::tempdir().expect("a temporary folder");
         let table = folder.path().join("table.h5");
         let mut journal = Journal::open(&table).expect("a new journal");

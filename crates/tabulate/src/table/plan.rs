@@ -14,14 +14,10 @@ use crate::table::lines::Lines;
 use crate::table::placement::{EVENNESS, nodes};
 use crate::table::scene::Scene;
 
-/// The nodes of a table.
+/// The nodes of the table of a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// The parameters of the table: those of the scene.
-    pub parameters: [Parameter; 4],
-    /// The values of each.
-    pub extents: [Extent; 4],
     /// The number of nodes on each axis.
     pub nodes: [usize; 4],
     /// How evenly the nodes of each axis are spaced in the parameter's coordinate: 0 for Chebyshev points, which crowd
@@ -53,8 +49,6 @@ impl Plan {
     /// Plans like [`Plan::new`], or returns [`Error::Budget`] when the budget is spent before.
     pub(crate) fn within(scene: &Scene, budget: Option<Budget<'_>>) -> Result<Self, Error> {
         let mut plan = Self {
-            parameters: scene.parameters,
-            extents: scene.extents,
             // At least two nodes on every axis: what cannot be made of these is refused before a solve.
             nodes: scene.extents.map(|extent| match extent {
                 Extent::Fixed(_) => 1,
@@ -80,27 +74,21 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Returns the four parameters with their nodes.
+    /// Returns the four parameters of the scene with their nodes.
     ///
     /// # Panics
     /// For a plan that [`Plan::new`] has not made, with no node on an axis or an evenness outside `[0, 1]`.
-    pub fn axes(&self) -> [(Parameter, Vec<f64>); 4] {
-        self.parameters.map(|parameter| {
+    pub fn axes(&self, scene: &Scene) -> [(Parameter, Vec<f64>); 4] {
+        scene.parameters.map(|parameter| {
             let i = parameter.dimension();
             let rule = (self.nodes[i], self.evenness[i]);
-            (parameter, nodes(parameter, self.extents[i].ends(), rule))
+            (parameter, nodes(parameter, scene.extents[i].ends(), rule))
         })
     }
 
     /// Returns the number of points to solve.
     pub fn points(&self) -> usize {
         self.nodes.iter().product()
-    }
-
-    /// Tells whether an axis may get more nodes, because the tolerance chose them.
-    pub fn can_grow(&self) -> bool {
-        let mut all = self.extents.iter();
-        all.any(|extent| matches!(extent, Extent::Range { .. }))
     }
 
     /// Returns the plan with more nodes on some axes; none if nothing changes.
@@ -110,7 +98,7 @@ impl Plan {
     pub(crate) fn refined(&self, factors: [f64; 4], scene: &Scene) -> Result<Option<Self>, Error> {
         let mut plan = self.clone();
         for (i, factor) in factors.into_iter().enumerate() {
-            if matches!(plan.extents[i], Extent::Range { .. }) && factor > 1.0 {
+            if matches!(scene.extents[i], Extent::Range { .. }) && factor > 1.0 {
                 let nodes = plan.nodes[i];
                 plan.nodes[i] = ((nodes as f64 * factor).ceil() as usize).max(nodes + 2);
             }
@@ -124,15 +112,12 @@ impl Plan {
 
     /// Returns true if this can be the plan of the scene, refined or not.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
-        let is_sound = |i: usize| match self.extents[i] {
+        let is_sound = |i: usize| match scene.extents[i] {
             Extent::Fixed(_) => self.nodes[i] == 1,
             Extent::Range { .. } => self.nodes[i] >= 2 && EVENNESS.contains(&self.evenness[i]),
             Extent::Even { nodes, .. } => self.nodes[i] == nodes && self.evenness[i] == 1.0,
         };
-        self.parameters == scene.parameters
-            && self.extents == scene.extents
-            && (0..4).all(is_sound)
-            && self.check(scene).is_ok()
+        (0..4).all(is_sound) && self.check(scene).is_ok()
     }
 
     /// Accepts a plan whose nodes are not too many and can be told apart.
@@ -150,7 +135,7 @@ impl Plan {
                 shape.map(|nodes| nodes.to_string()).join(" x ")
             )));
         }
-        for (parameter, nodes) in self.axes() {
+        for (parameter, nodes) in self.axes(scene) {
             // Near incompressibility, f64 cannot tell more than some hundred nodes apart.
             if !nodes.is_sorted_by(|a, b| a < b) {
                 return Err(unresolved(parameter, nodes.len(), scene));
@@ -163,7 +148,7 @@ impl Plan {
     /// are: each axis by itself, in a table of ones.
     fn is_tabulated(&self, scene: &Scene) -> Result<(), Error> {
         let table = |along: Option<Parameter>| {
-            let axes = self.axes().map(|(parameter, mut nodes)| {
+            let axes = self.axes(scene).map(|(parameter, mut nodes)| {
                 if Some(parameter) != along {
                     nodes.truncate(1);
                 }
@@ -178,7 +163,7 @@ impl Plan {
             Table::new(scene.description(), axes, ones)
         };
         table(None)?;
-        for (parameter, nodes) in self.axes() {
+        for (parameter, nodes) in self.axes(scene) {
             let too_close = |_| {
                 let (axis, count) = (parameter.name(), nodes.len());
                 Error::Nodes(format!(
