@@ -47,27 +47,14 @@ pub enum Error {
         reached: f64,
     },
     /// A contact that is too wide beside the top layer of a stack.
-    #[error(
-        "a_over_t = {a_over_t:?} is out of reach of this stack of {}: its thickness is {thickness_over_top:?} times that \
-         of its top layer, and the contact radius may be at most {most} times that of the top layer; use an a_over_t up to {reach:?}, or \
-         leave out a top layer that is too thin to matter",
-        if *layers == 1 {
-            "one layer that is not like its base".to_owned()
-        } else {
-            format!("{layers} different layers")
-        }
-    )]
+    #[error("a_over_t = {a_over_t:?} is out of reach of {what}")]
     StackReach {
         /// The contact radius over the thickness of the stack.
         a_over_t: f64,
         /// The largest contact radius within reach, over the thickness of the stack.
         reach: f64,
-        /// The largest contact radius within reach, over the thickness of the top layer.
-        most: f64,
-        /// The thickness of the stack over that of its top layer.
-        thickness_over_top: f64,
-        /// The number of layers, of which neighbours of one material count as one.
-        layers: usize,
+        /// The stack, and what to do, in words.
+        what: String,
     },
     /// A stack without layers.
     #[error(
@@ -124,29 +111,9 @@ pub enum Error {
         /// The range of the attraction, m.
         range: f64,
     },
-    /// A pull-off with an attraction of finite range at a contact wider than is solved.
-    #[error(
-        "at the pull-off the contact, or the attraction around it, is wider than {reach:.3e} m, {}",
-        if reach < sphere_radius {
-            format!(
-                "up to which an attraction of finite range is solved on a top layer of {thickness:?} m; take a smaller sphere or a \
-                 thicker layer, or leave out the range of the attraction: JKR, the limit of short ranges, is solved on thinner layers"
-            )
-        } else {
-            format!(
-                "and the radius of the sphere is {sphere_radius:?} m, beside which the model takes contacts to be narrow; take a smaller \
-                 work of adhesion, a shorter range, or a larger sphere"
-            )
-        }
-    )]
-    PullOffReach {
-        /// The largest radius that is solved, m.
-        reach: f64,
-        /// The thickness of the top layer, m.
-        thickness: f64,
-        /// The radius of the sphere, m.
-        sphere_radius: f64,
-    },
+    /// A pull-off with an attraction of finite range at a contact wider than is solved, in a sentence with the radii.
+    #[error("{0}")]
+    PullOffReach(String),
     /// A sphere that sticks to a film with which it couples pressure and shear at the edge.
     #[error(
         "a sphere with stick is solved only where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5 under a rigid sphere \

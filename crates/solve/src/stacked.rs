@@ -143,12 +143,20 @@ pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
         return Ok(());
     }
     let merged = stack.merged();
+    let layers = match merged.layers().len() {
+        1 => "one layer that is not like its base".to_owned(),
+        layers => format!("{layers} different layers"),
+    };
+    let what = format!(
+        "this stack of {layers}: its thickness is {:?} times that of its top layer, and the contact radius may be at most {} \
+         times that of the top layer; use an a_over_t up to {reach:?}, or leave out a top layer that is too thin to matter",
+        stack.thickness() / merged.top().thickness,
+        merged.most(MOST_A_OVER_TOP)
+    );
     Err(Error::StackReach {
         a_over_t,
         reach,
-        most: merged.most(MOST_A_OVER_TOP),
-        thickness_over_top: stack.thickness() / merged.top().thickness,
-        layers: merged.layers().len(),
+        what,
     })
 }
 

@@ -161,10 +161,24 @@ impl Cohesive {
 
     /// Makes the error of a pull-off beyond the reach.
     fn beyond(&self) -> Error {
-        Error::PullOffReach {
-            reach: self.reach() * self.thickness,
-            thickness: self.thickness,
-            sphere_radius: self.sphere_radius,
-        }
+        let (reach, thickness, radius) = (
+            self.reach() * self.thickness,
+            self.thickness,
+            self.sphere_radius,
+        );
+        let reason = if reach < radius {
+            format!(
+                "up to which an attraction of finite range is solved on a top layer of {thickness:?} m; take a smaller sphere or a \
+                 thicker layer, or leave out the range of the attraction: JKR, the limit of short ranges, is solved on thinner layers"
+            )
+        } else {
+            format!(
+                "and the radius of the sphere is {radius:?} m, beside which the model takes contacts to be narrow; take a smaller \
+                 work of adhesion, a shorter range, or a larger sphere"
+            )
+        };
+        Error::PullOffReach(format!(
+            "at the pull-off the contact, or the attraction around it, is wider than {reach:.3e} m, {reason}"
+        ))
     }
 }
