@@ -12,7 +12,6 @@ use interp::{HalfSpace, System};
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
 use super::note;
-use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
 use crate::large_contact::LARGE_CONTACT;
@@ -46,18 +45,6 @@ pub struct BodiesArguments {
     /// Accept these, which are errors otherwise
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
     pub allow: Vec<Allowed>,
-}
-
-/// The flags of the bodies, and the range of the attraction between them.
-#[derive(clap::Args)]
-#[group(skip)]
-pub struct AttractingArguments {
-    #[command(flatten)]
-    pub bodies: BodiesArguments,
-    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over
-    /// this distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
-    #[arg(long, value_name = "M", conflicts_with = "table", value_parser = length)]
-    pub interaction_range: Option<f64>,
 }
 
 /// A probe on a film, on a stack or on a half-space.

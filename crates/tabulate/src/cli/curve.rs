@@ -3,18 +3,18 @@
 use std::path::PathBuf;
 
 use anyhow::ensure;
-use clap::{ValueHint, value_parser};
+use clap::value_parser;
 use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
-use super::bodies::{AttractingArguments, Bodies};
-use super::friction::{self, HistoryArguments};
+use super::bodies::Bodies;
+use super::friction::{self, ContactArguments};
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
 use super::quantity::{self, length};
-use super::table_name::{self, TableName};
+use super::table_name::TableName;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
 use solve::{A_OVER_T, solve};
@@ -54,15 +54,8 @@ use solve::{A_OVER_T, solve};
     "tabulate curve --specimen paper --probe rounded-cone --half-angle 70 --sphere-radius 1um --to 5um",
 ))]
 pub struct Arguments {
-    #[arg(
-        help = format!("{}. Without a table, every point is solved directly", table_name::HELP),
-        value_hint = ValueHint::FilePath
-    )]
-    table: Option<TableName>,
     #[command(flatten)]
-    attracting: AttractingArguments,
-    #[command(flatten)]
-    history: HistoryArguments,
+    contact: ContactArguments,
     /// Smallest contact radius, m [default: 1e-6; where --to is not given, or is at most 1e-6, 1/150 of the largest]
     #[arg(long, value_parser = length)]
     from: Option<f64>,
@@ -84,11 +77,11 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let given = &arguments.attracting.bodies;
-    let table = arguments.table.as_ref().and_then(TableName::path);
-    let [stack, profile] = given.files();
+    let given = &arguments.contact;
+    let table = given.table.as_ref().and_then(TableName::path);
+    let [stack, profile] = given.bodies.files();
     let output = Output::of_text(arguments.output.as_deref(), &[table, stack, profile])?;
-    let bodies = given.read_checked(arguments.history.work_of_adhesion_receding)?;
+    let (bodies, sticks) = given.read()?;
     let system = &bodies.system;
     let mechanics = Mechanics::new(system)?;
     let [from, to] = arguments.radii(&bodies);
@@ -98,7 +91,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let least = A_OVER_T[0] * system.film_thickness;
     ensure!(
-        arguments.table.is_some() || bodies.half_space || from <= 0.0 || from >= least,
+        given.table.is_some() || bodies.half_space || from <= 0.0 || from >= least,
         "--from {from:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; give a larger \
          radius, or take the film as thinner: so thick a film is a half-space, --half-space"
     );
@@ -126,7 +119,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         [from, to]
     };
-    let states = States::new(arguments, &bodies, [from, to])?;
+    let states = States::new(arguments, (&bodies, sticks), [from, to])?;
     let rows: Vec<Vec<f64>> = if punch {
         vec![states.row(to, &mechanics)?]
     } else {
@@ -138,7 +131,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         try_map(0..arguments.points, row)?
     };
-    given.name_example(&[]);
+    given.bodies.name_example(&[]);
     bodies.note_large_contact(to);
     let contact = match &states.source {
         Source::Curve(contact) => Some(&**contact),
@@ -149,7 +142,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
         note_no_disc(contact, [from, to]);
     }
-    if !arguments.history.is_stuck() {
+    if sticks.is_none() {
         friction::note_size(&bodies, to);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -213,9 +206,9 @@ impl Arguments {
             }
             _ => f64::INFINITY,
         };
-        let most = if self.history.is_stuck() {
+        let most = if self.contact.history.is_stuck() {
             most.min(friction::reach(bodies))
-        } else if let Some(range) = self.attracting.interaction_range {
+        } else if let Some(range) = self.contact.interaction_range {
             most.min(bodies.reach_of_attraction(range))
         } else {
             most.min(bodies.reach_of_layers())
@@ -254,7 +247,7 @@ struct States<'a> {
 impl<'a> States<'a> {
     fn new(
         arguments: &Arguments,
-        bodies: &'a Bodies,
+        (bodies, sticks): (&'a Bodies, Option<f64>),
         [from, to]: [f64; 2],
     ) -> anyhow::Result<Self> {
         /// The relative tolerance of solves where none is given.
@@ -265,28 +258,23 @@ impl<'a> States<'a> {
         const BEGIN: f64 = 1e-3;
         /// How far the curve reaches beyond the largest contact, because the integrals do.
         const BEYOND: f64 = 1.5;
-        let attracting = &arguments.attracting;
+        let given = &arguments.contact;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let over_thickness = |a: f64| a / system.film_thickness;
         let solved = |range, tolerance| bodies.contact(system, range, tolerance).map(Box::new);
         let mut work_of_adhesion = bodies.work_of_adhesion;
-        let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
-        let sticks = arguments
-            .history
-            .sticks_alone(bodies.half_space, is_other)?;
         let source = if let Some(nu2) = sticks {
+            let history = &given.history;
             let (contact, receding) =
-                arguments
-                    .history
-                    .contact(bodies, nu2, [from, to], arguments.tolerance)?;
+                history.contact(bodies, nu2, [from, to], arguments.tolerance)?;
             work_of_adhesion = receding;
             Source::Curve(Box::new(contact))
-        } else if let Some(range) = attracting.interaction_range {
+        } else if let Some(range) = given.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
         } else if bodies.half_space {
             Source::Curve(solved([from, to], tolerance)?)
-        } else if let Some(name) = &arguments.table {
+        } else if let Some(name) = &given.table {
             Source::Curve(Box::new(Contact::in_table(
                 name.read_for_contacts()?.as_ref(),
                 system,

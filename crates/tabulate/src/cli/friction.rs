@@ -1,13 +1,14 @@
 //! The flags of friction, and the numbers of contacts that stick.
 
-use clap::ValueEnum;
+use clap::{ValueEnum, ValueHint};
 use contact::Contact;
 use solve::Error;
 use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE};
 
-use super::bodies::Bodies;
+use super::bodies::{Bodies, BodiesArguments};
 use super::note;
-use super::quantity::{force_per_length, number};
+use super::quantity::{force_per_length, length, number};
+use super::table_name::{self, TableName};
 
 /// The flags of friction of a solve.
 #[derive(clap::Args, Clone)]
@@ -38,6 +39,25 @@ pub struct HistoryArguments {
     /// has grown by the load alone
     #[arg(long, value_name = "J/m^2", value_parser = force_per_length)]
     pub work_of_adhesion_receding: Option<f64>,
+}
+
+/// The flags of a contact: its table, its bodies, and what acts between them.
+#[derive(clap::Args)]
+#[group(skip)]
+pub struct ContactArguments {
+    #[arg(
+        help = format!("{}. Without a table, contacts are solved directly", table_name::HELP),
+        value_hint = ValueHint::FilePath
+    )]
+    pub table: Option<TableName>,
+    #[command(flatten)]
+    pub bodies: BodiesArguments,
+    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over
+    /// this distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
+    #[arg(long, value_name = "M", conflicts_with = "table", value_parser = length)]
+    pub interaction_range: Option<f64>,
+    #[command(flatten)]
+    pub history: HistoryArguments,
 }
 
 /// Parses the Poisson ratio of a solid.
@@ -174,19 +194,6 @@ impl HistoryArguments {
         Ok(())
     }
 
-    /// Returns the Poisson ratio of the sphere where the contact sticks, as [`Self::sticks`], for a command that fits
-    /// nothing. `is_other` tells whether a table or a range of the attraction is given.
-    pub fn sticks_alone(&self, half_space: bool, is_other: bool) -> anyhow::Result<Option<f64>> {
-        self.needs_poisson_ratio()?;
-        let sticks = self.sticks(half_space)?;
-        anyhow::ensure!(
-            sticks.is_none() || !is_other,
-            "--friction stick is solved directly, and without a range of the attraction: leave out the \
-             table and --interaction-range"
-        );
-        Ok(sticks)
-    }
-
     /// Returns the work of adhesion with which the contact recedes, and the ratio to it of
     /// `advancing`, with which it has grown.
     pub fn works(&self, advancing: f64) -> anyhow::Result<(f64, f64)> {
@@ -232,6 +239,23 @@ impl HistoryArguments {
         })?;
         let contact = Contact::new(system, curves.receding(ratio)?)?;
         Ok((contact, receding))
+    }
+}
+
+impl ContactArguments {
+    /// Returns the bodies, with the values of the paper where none are given, and the Poisson ratio of the sphere where the
+    /// contact sticks. An error names the file, the body or the flag.
+    pub fn read(&self) -> anyhow::Result<(Bodies, Option<f64>)> {
+        let receding = self.history.work_of_adhesion_receding;
+        let bodies = self.bodies.read_checked(receding)?;
+        self.history.needs_poisson_ratio()?;
+        let sticks = self.history.sticks(bodies.half_space)?;
+        anyhow::ensure!(
+            sticks.is_none() || self.table.is_none() && self.interaction_range.is_none(),
+            "--friction stick is solved directly, and without a range of the attraction: leave out the \
+             table and --interaction-range"
+        );
+        Ok((bodies, sticks))
     }
 }
 

@@ -1,17 +1,17 @@
 //! `tabulate pull-off`
 
 use anyhow::{Context as _, anyhow, bail, ensure};
-use clap::{ValueEnum, ValueHint};
+use clap::ValueEnum;
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
 use interp::Table;
 
-use super::bodies::{AttractingArguments, Bodies};
-use super::friction::{self, HistoryArguments};
+use super::bodies::Bodies;
+use super::friction::{self, ContactArguments};
 use super::points::number;
 use super::print;
 use super::quantity::{force, force_per_length};
 use super::system::Value;
-use super::table_name::{self, TableName};
+use super::table_name::TableName;
 use solve::A_OVER_T;
 use solve::cohesive::CohesiveState;
 use solve::stack::MOST_A_OVER_TOP;
@@ -46,15 +46,8 @@ use solve::stack::MOST_A_OVER_TOP;
     "tabulate pull-off --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
 ))]
 pub struct Arguments {
-    #[arg(
-        help = format!("{}. Without a table, the system is solved directly", table_name::HELP),
-        value_hint = ValueHint::FilePath
-    )]
-    table: Option<TableName>,
     #[command(flatten)]
-    attracting: AttractingArguments,
-    #[command(flatten)]
-    history: HistoryArguments,
+    contact: ContactArguments,
     /// What the machine imposes: a dead weight, the displacement, or the far end of a spring
     #[arg(long, value_enum, default_value = "load")]
     control: ControlName,
@@ -95,14 +88,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.stiffness.is_none() || matches!(control, Control::Spring { .. }),
         "--stiffness is that of a spring: add --control spring, or leave it out"
     );
-    let attracting = &arguments.attracting;
-    let receding = arguments.history.work_of_adhesion_receding;
-    let bodies = attracting.bodies.read_checked(receding)?;
-    let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
-    let sticks = arguments
-        .history
-        .sticks_alone(bodies.half_space, is_other)?;
-    let table = arguments.table.as_ref();
+    let given = &arguments.contact;
+    let (bodies, sticks) = given.read()?;
+    let table = given.table.as_ref();
     let table = table.map(TableName::read_for_contacts).transpose()?;
     let table = table.as_deref();
     let found = |load: f64| {
@@ -115,8 +103,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             load < 0.0 && load.is_finite(),
             "--load {load:?}: a measured pull-off load is a number below 0; without one leave out --load"
         );
-        let system = &attracting.bodies.system;
-        let mut missing = attracting.bodies.missing();
+        let system = &given.bodies.system;
+        let mut missing = given.bodies.missing();
         missing.retain(|value| *value != Value::WorkOfAdhesion);
         let flags: Vec<String> = missing.into_iter().map(Value::flag).collect();
         ensure!(
@@ -140,7 +128,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         work_of_adhesion: work.unwrap_or(bodies.work_of_adhesion),
         ..bodies.clone()
     };
-    attracting.bodies.check(&bodies, receding)?;
+    let receding = given.history.work_of_adhesion_receding;
+    given.bodies.check(&bodies, receding)?;
     let (contact, state) = pull_off(arguments, table, &bodies, control)?;
     let of_state = [
         ("load", state.load),
@@ -158,7 +147,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .collect()
     };
     if work.is_none() {
-        attracting.bodies.name_example(&[]);
+        given.bodies.name_example(&[]);
     }
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
@@ -177,10 +166,10 @@ fn pull_off(
     bodies: &Bodies,
     control: Control,
 ) -> anyhow::Result<(Option<Contact>, CohesiveState)> {
-    if let Some(range) = arguments.attracting.interaction_range {
+    if let Some(range) = arguments.contact.interaction_range {
         return Ok((None, bodies.cohesive(range)?.pull_off(control)?));
     }
-    let (contact, state) = match arguments.history.sticks(bodies.half_space)? {
+    let (contact, state) = match arguments.contact.history.sticks(bodies.half_space)? {
         Some(nu2) => sticking(arguments, bodies, nu2, control)?,
         None => jkr(table, bodies, control)?,
     };
@@ -227,7 +216,10 @@ fn sticking(
     // A narrow range takes much less time than a wide one.
     for share in [0.1, 1.0] {
         let radii = [NARROWEST * widest, share * widest];
-        let (contact, receding) = arguments.history.contact(bodies, nu2, radii, None)?;
+        let (contact, receding) = arguments
+            .contact
+            .history
+            .contact(bodies, nu2, radii, None)?;
         match contact.pull_off(receding, control) {
             Err(Error::OutsideRadii { .. }) => {}
             state => return Ok((contact, state?)),
