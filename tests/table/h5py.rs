@@ -17,11 +17,11 @@ const BOX: &str = "
     nu0        = 0.2
 ";
 /// A scene of one axis and two quantities: a rigid sphere, a film, a rigid substrate.
-const RIGID: &str = "
+pub const RIGID: &str = "
     title      = 'Rigid sphere and substrate'
-    tolerance  = 1e-3
+    tolerance  = 1e-6
     quantities = ['gamma', 'pi0']
-    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    a_over_t   = { from = 0.1, to = 10 }
     e1_over_e2 = 0
     nu1        = 0.3
     e0_over_e2 = inf

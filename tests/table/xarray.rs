@@ -9,18 +9,7 @@ use acceptance::{
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
 
-use crate::h5py::hexadecimal;
-
-/// A scene of one axis and two quantities.
-const RIGID: &str = "
-    title      = 'Rigid sphere and substrate'
-    tolerance  = 1e-6
-    quantities = ['gamma', 'pi0']
-    a_over_t   = { from = 0.1, to = 10 }
-    e1_over_e2 = 0
-    nu1        = 0.3
-    e0_over_e2 = inf
-";
+use crate::h5py::{RIGID, hexadecimal};
 
 const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/table/read_xarray.py");
 
