@@ -9,6 +9,7 @@ use interp::{HalfSpace, Material, MaterialParameter, Mechanics, Parameter, Probe
 use solve::solve;
 
 use super::{SHARES, value, with};
+use crate::jkr::Jkr;
 
 /// Returns load and penetration by a direct solve.
 fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
@@ -172,17 +173,11 @@ fn what_is_not_known_is_an_error_that_names_it() {
     assert!(matches!(error, Error::OtherMaterial { .. }), "{error}");
 }
 
-/// Returns load and penetration of JKR in closed form.
 #[test]
 fn derivatives_on_a_half_space_are_those_of_jkr() {
     let jkr = |[a, w, r, sphere, young, nu]: [f64; 6]| {
-        let modulus = 1.0 / (1.0 / sphere + (1.0 - nu * nu) / young);
-        let load = 4.0 * modulus * a.powi(3) / (3.0 * r)
-            - (8.0 * std::f64::consts::PI * w * modulus * a.powi(3)).sqrt();
-        [
-            load,
-            a * a / r - (2.0 * std::f64::consts::PI * w * a / modulus).sqrt(),
-        ]
+        let e = 1.0 / (1.0 / sphere + (1.0 - nu * nu) / young);
+        Jkr { r, e, w }.terms(a).map(|[hertz, punch]| hertz - punch)
     };
     let inputs = [
         Input::ContactRadius,
