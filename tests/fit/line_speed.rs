@@ -160,6 +160,41 @@ fn the_truth_of_noisy_lines_is_within_the_intervals() {
     }
 }
 
+/// The errors of the speeds would hide a part of how adhesion depends on them, and one way would make values of the modulus
+/// and of the work of adhesion of that which are wrong by up to 13 standard errors.
+#[test]
+fn one_way_alone_tells_the_law_without_a_bias() {
+    let exact = read(&moved(LINE), [120, 180]);
+    let truth = with_law(exact.clone(), LINE);
+    for direction in Direction::ALL {
+        let fit_of = |seed| -> Fit {
+            let mut measured = with_noise(exact.clone(), [2e-8, 2e-7], seed);
+            measured.abscissa_noise = 2e-8;
+            measured.noise = Some(2e-7);
+            let own = |i: &usize| exact.measurement.points[*i].direction == Some(direction);
+            let own: Vec<usize> = (0..exact.measurement.points.len()).filter(own).collect();
+            measured.times = own.iter().map(|&i| exact.times[i]).collect();
+            let points = own.iter().map(|&i| measured.measurement.points[i]);
+            measured.measurement.points = points.collect();
+            fitted(&measured, &free_of(&LAW))
+        };
+        let fits: Vec<Fit> = (0..SETS).into_par_iter().map(fit_of).collect();
+        for (i, parameter) in LAW.into_iter().enumerate() {
+            let value = truth.get(parameter).expect("a value");
+            let deviation = |fit: &Fit| {
+                let estimate = &fit.estimates[i];
+                (estimate.value / value).ln() / (estimate.standard_error / estimate.value)
+            };
+            let mean = fits.iter().map(deviation).sum::<f64>() / SETS as f64;
+            println!(
+                "{}: {parameter}, {mean:+.2} standard errors",
+                direction.name()
+            );
+            assert!(mean.abs() < 0.6, "{parameter}: {mean}");
+        }
+    }
+}
+
 #[test]
 fn without_the_law_such_data_ask_for_it() {
     let noise = [2e-7, 2e-6];
@@ -228,7 +263,7 @@ fn speeds_that_are_given_are_taken() {
     given.line_speeds = vec![
         LineSpeed {
             speed: 3e-6,
-            deviation: 0.0
+            ..LineSpeed::default()
         };
         90
     ];
@@ -372,7 +407,14 @@ fn what_a_law_needs_is_named() {
         &LAW,
         "full friction; without friction",
     );
-    let speeds = |speed: f64, deviation: f64| vec![LineSpeed { speed, deviation }; 30];
+    let speeds = |speed: f64, deviation: f64| {
+        let one = LineSpeed {
+            speed,
+            deviation,
+            ..LineSpeed::default()
+        };
+        vec![one; 30]
+    };
     for (line_speeds, words) in [
         (
             speeds(f64::NAN, 0.0),

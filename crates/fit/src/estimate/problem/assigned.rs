@@ -1,8 +1,8 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
-use crate::model::{AbscissaError, Assignment, ContactOf};
+use crate::model::{AbscissaError, Assignment, ContactOf, Predicted};
 use crate::statistics::median;
-use crate::{Branch, Direction, Error, Experiment, Point};
+use crate::{Branch, Direction, Error, Experiment, Parameter, Point};
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
@@ -67,6 +67,33 @@ impl Assigned {
         let factors = of.noise_factors(contact_of, branches)?;
         (self.abscissa_errors, self.factors) = (errors, factors);
         Ok(())
+    }
+
+    /// Predicts the points of the experiment with other values, with derivatives with respect to `parameters`. Radii and
+    /// speeds of the contact line with errors are predicted where they most likely lie, and from there along the tangent to
+    /// where they were read: at the radius read, slopes and derivatives would go with its error.
+    pub fn predict(
+        &self,
+        experiment: &Experiment,
+        contact_of: &ContactOf<'_>,
+        parameters: &[Parameter],
+    ) -> Result<Predicted, Error> {
+        let (errors, branches) = (&self.abscissa_errors, &self.branches);
+        if errors.is_empty() || !experiment.measurement.kind.at_radii() {
+            return experiment.predict_with(contact_of, branches, &self.order, parameters);
+        }
+        let mut moved = experiment.clone();
+        for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
+            point.abscissa += error.shift;
+        }
+        for (line, error) in moved.line_speeds.iter_mut().zip(errors) {
+            line.speed += error.speed_shift;
+        }
+        let mut predicted = moved.predict_with(contact_of, branches, &self.order, parameters)?;
+        for (value, error) in predicted.values.iter_mut().zip(errors) {
+            *value -= error.slope * error.shift + error.speed_slope * error.speed_shift;
+        }
+        Ok(predicted)
     }
 
     /// Returns the standard deviation of the ordinate of a point.
