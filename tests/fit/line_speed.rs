@@ -195,6 +195,37 @@ fn one_way_alone_tells_the_law_without_a_bias() {
     }
 }
 
+/// The work of adhesion grows with the logarithm of the speed, not with a power.
+#[test]
+fn another_law_than_the_fitted_one_is_doubted() {
+    let (noise, exact, contact) = ([1e-7, 1e-6], read(&moved(LINE), [120, 180]), contact());
+    let [w, v0, _] = LINE;
+    let logarithmic = |point: &Point| {
+        let rate = contact.energy_release_rate_at_load(point.abscissa, point.ordinate);
+        let ratio = rate.expect("in the table") / w;
+        // The exponent is 1/2.
+        let speed = v0 * (ratio.max(ratio.recip()) - 1.0).powi(2);
+        let factor = 1.0 + 0.5 * (speed / 1e-7).ln_1p();
+        let other = if ratio > 1.0 { w * factor } else { w / factor };
+        contact.load(point.abscissa, other).expect("in the table")
+    };
+    let mut other = exact.clone();
+    for point in &mut other.measurement.points {
+        point.ordinate = logarithmic(point);
+    }
+    let words = "does not follow this law of the speed of the contact line";
+    for seed in 0..5 {
+        for (exact, is_other) in [(&exact, false), (&other, true)] {
+            let mut measured = with_noise(exact.clone(), noise, seed);
+            measured.abscissa_noise = noise[0];
+            measured.noise = Some(noise[1]);
+            let found = fitted(&measured, &free_of(&LAW));
+            let is_doubted = found.warnings.iter().any(|one| one.text.contains(words));
+            assert_eq!(is_doubted, is_other, "{:?}", found.warnings);
+        }
+    }
+}
+
 #[test]
 fn without_the_law_such_data_ask_for_it() {
     let noise = [2e-7, 2e-6];
