@@ -227,6 +227,25 @@ fn another_law_than_the_fitted_one_is_doubted() {
 }
 
 #[test]
+fn adhesion_that_depends_on_the_way_alone_is_told() {
+    let mut measured = read(&moved(LINE), [60, 120]);
+    let contact = contact();
+    for point in &mut measured.measurement.points {
+        let work = if point.direction == Some(Direction::Retract) {
+            0.1
+        } else {
+            0.05
+        };
+        point.ordinate = contact.load(point.abscissa, work).expect("in the table");
+    }
+    let mut measured = with_noise(measured, [2e-7, 2e-6], 1);
+    measured.abscissa_noise = 2e-7;
+    measured.noise = Some(2e-6);
+    let found = fitted(&measured, &free_of(&LAW));
+    assert_warns(&found, WarningKind::Undetermined, "on the way alone");
+}
+
+#[test]
 fn without_the_law_such_data_ask_for_it() {
     let noise = [2e-7, 2e-6];
     let measured = with_noise(read(&moved(LINE), [30, 60]), noise, 1);
