@@ -483,5 +483,5 @@ fn what_a_law_needs_is_named() {
         fit_all(&[experiment], &free_of(&LAW)).refused(words);
     }
     let few = fit_all(&[read(&moved(LINE), [3, 6])], &LAW.map(Free::new));
-    few.refused("points");
+    few.refused("usable points; 9 more lie at the ends; at least some 30 of each way");
 }

@@ -158,6 +158,15 @@ impl Assigned {
         (apart > APART * self.seen_noise()).then_some(levels)
     }
 
+    /// Returns the number of points that are left out because the speed of the contact line is not known there.
+    pub fn unknown_speeds(&self) -> usize {
+        let points = 0..self.branches.len();
+        let is_unknown = |i: &usize| {
+            self.branches[*i] == Branch::LeftOut && self.experiment.is_speed_unknown(*i)
+        };
+        points.filter(is_unknown).count()
+    }
+
     /// Returns the number of points that count.
     pub fn counting(&self) -> usize {
         self.counting_points().count()
