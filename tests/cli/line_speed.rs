@@ -87,6 +87,35 @@ fn a_line_of_one_speed_is_simulated_and_found() {
 }
 
 #[test]
+fn cycles_in_one_file_are_one_course_in_time() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let text = workdir.text("rubber.csv");
+    let (heading, rows): (Vec<&str>, Vec<&str>) =
+        text.lines().partition(|line| line.starts_with(['#', 't']));
+    let cycle = |begin: f64| {
+        let later = move |row: &str| {
+            let cells: Vec<&str> = row.split(',').collect();
+            let time: f64 = cells[0].parse().expect("a time");
+            format!("{},{},{}", time + begin, cells[1], cells[2])
+        };
+        rows.iter().map(|row| later(row)).collect::<Vec<_>>()
+    };
+    let heading = heading.join("\n").replace(",segment", "");
+    let all = [cycle(0.0), cycle(600.0), cycle(1200.0)].concat();
+    workdir.write("cycles.csv", format!("{heading}\n{}\n", all.join("\n")));
+    let fit = |free: &str| {
+        workdir.json(format!(
+            "fit cycles.csv {RUBBER} --radius-noise 0.2um --noise 2uN {free} --json"
+        ))["warnings"]
+            .to_string()
+    };
+    let several = "several-curves";
+    assert!(fit("--free film-modulus,work-of-adhesion").contains(several));
+    assert!(!fit(LAW).contains(several));
+}
+
+#[test]
 fn wrong_first_calls_say_what_to_do() {
     let workdir = workdir!();
     rubber(&workdir, "rubber.csv", str::to_owned);
