@@ -87,6 +87,17 @@ fn a_line_of_one_speed_is_simulated_and_found() {
 }
 
 #[test]
+fn numbers_without_a_unit_are_shown_with_their_digits() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let fit = format!("fit rubber.csv {RUBBER} {LAW} --radius-noise 0.2um --noise 2uN");
+    let of_known = workdir.answer(format!("{fit} --known film-thickness=+-1%"));
+    assert_names(&of_known.stdout, "e-4 of speed-exponent");
+    let of_interval = workdir.answer(format!("{fit} --intervals 0.95"));
+    assert!(!of_interval.stdout.contains(" )"), "{}", of_interval.stdout);
+}
+
+#[test]
 fn cycles_in_one_file_are_one_course_in_time() {
     let workdir = workdir!();
     rubber(&workdir, "rubber.csv", str::to_owned);
