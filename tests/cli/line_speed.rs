@@ -164,6 +164,7 @@ fn wrong_first_calls_say_what_to_do() {
          2 | fit rubber.csv {RUBBER} --value doubling-speed=1um --value speed-exponent=0.5 | is a length, and a speed is wanted; 2um/s
          1 | fit rubber.csv {RUBBER} --value doubling-speed=0 --value speed-exponent=0.5 | doubling-speed; positive
          1 | fit rubber.csv {RUBBER} {LAW} --friction stick | full friction; without friction only
+         1 | simulate --kind load-radius {RUBBER} --work-of-adhesion 0.05 --from 60um --to 150um --noise 2uN --segments cycle --sample-interval 1s --expect {LAW} | doubling-speed; not given; at the planned value
          1 | simulate --kind load-radius {RUBBER} --value doubling-speed=1um/s --value speed-exponent=0.5 --from 60um --to 150um --noise 2uN | no times; --sample-interval S",
     ));
 }
