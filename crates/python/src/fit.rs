@@ -278,6 +278,7 @@ fn points<'py>(
     fields.set_item("deviation", column(|point| Some(point.deviation)))?;
     fields.set_item("contact_radius", column(|point| point.contact_radius))?;
     fields.set_item("without_film", column(|point| point.without_film))?;
+    fields.set_item("line_speed", column(|point| point.line_speed))?;
     let branches = points.iter().map(|point| point.branch.name());
     fields.set_item("branch", branches.collect::<Vec<_>>())?;
     let outliers = points.iter().map(|point| point.outlier);

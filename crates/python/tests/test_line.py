@@ -140,10 +140,15 @@ def test_the_law_of_a_line_is_found_from_radii_in_time():
     values = [found.params[name] for name in free]
     assert values == pytest.approx([system.sphere_modulus, 0.04, law.v0, law.n], rel=0.01)
     assert found.experiments[0].left_out == {"unknown-speed": 12}
+    speed = found.experiments[0].line_speed
+    assert np.isnan(speed).sum() == 12
+    assert speed[3] < 0.0 < speed[-4]
     untimed = replace(measured, time=None)
     refuses(cc.FitError, "no times.*Experiment.time", lambda: cc.fit(untimed, free))
     half = replace(measured, doubling_speed=1e-6)
     refuses(cc.FitError, "speed_exponent.*is not given", lambda: cc.fit(half, free[:2]))
+    planned = replace(measured, noise=1e-6)
+    refuses(cc.FitError, "doubling_speed.*at the planned value", lambda: cc.forecast(planned, free))
 
 
 def test_validity_in_closed_form(contact, jkr):

@@ -89,6 +89,9 @@ class FittedExperiment(OneLine):
         The contact radii of the fit, m; NaN without a contact.
     without_film : numpy.ndarray
         The ordinates of the fit without the film; NaN where there is none.
+    line_speed : numpy.ndarray
+        The speeds of the contact line, m/s, positive where it recedes; NaN where adhesion does not
+        depend on them, or where they are not known.
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
@@ -119,6 +122,7 @@ class FittedExperiment(OneLine):
     deviation: Array
     contact_radius: Array
     without_film: Array
+    line_speed: Array
     branch: list[str]
     outlier: NDArray[np.bool_]
     left_out: dict[str, int]
