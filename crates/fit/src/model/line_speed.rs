@@ -36,7 +36,8 @@ pub struct LineSpeed {
     pub speed: f64,
     /// Its standard deviation, m/s; 0 is exact, and infinity one that is not known. A fit leaves such points out.
     pub deviation: f64,
-    /// The number of neighbours whose speeds err alike, because they are read from the same radii; 0 and 1 of none.
+    /// The variance of the mean of neighbours whose speeds err alike over that of as many that do not, because they are
+    /// read from the same radii, or a cubic is not their course; 0 and 1 of speeds that err on their own.
     pub alike: f64,
 }
 
@@ -324,11 +325,12 @@ fn speed(times: &[f64], radii: &[f64], at: f64, deviation: f64) -> LineSpeed {
     let squares = pairs.map(|(row, radius)| (radius - row.dot(&cubic)).powi(2));
     let residual = squares.sum::<f64>() / (count - right.len() as f64);
     let noise = deviation * deviation;
-    // A course that is no cubic errs alike at all points.
+    // A course that is no cubic errs alike at all points, and where the speed most likely is follows from the noise alone.
     let variance = noise + count * (residual - noise).max(0.0);
+    let own = if noise > 0.0 { noise } else { variance };
     LineSpeed {
         speed: -cubic[1] / scale,
-        deviation: (variance * inverse[(1, 1)]).sqrt() / scale,
-        alike: count / (2 * FEWEST + 1) as f64,
+        deviation: (own * inverse[(1, 1)]).sqrt() / scale,
+        alike: if own > 0.0 { variance / own } else { 1.0 } * count / (2 * FEWEST + 1) as f64,
     }
 }
