@@ -107,6 +107,46 @@ fn a_line_of_one_speed_is_simulated_and_found() {
 }
 
 #[test]
+fn numbers_without_a_unit_are_shown_with_their_digits() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let fit = format!("fit rubber.csv {RUBBER} {LAW} --radius-noise 0.2um --noise 2uN");
+    let of_known = workdir.answer(format!("{fit} --known film-thickness=+-1%"));
+    assert_names(&of_known.stdout, "e-4 of speed-exponent");
+    let of_interval = workdir.answer(format!("{fit} --intervals 0.95"));
+    assert!(!of_interval.stdout.contains(" )"), "{}", of_interval.stdout);
+}
+
+#[test]
+fn cycles_in_one_file_are_one_course_in_time() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let text = workdir.text("rubber.csv");
+    let (heading, rows): (Vec<&str>, Vec<&str>) =
+        text.lines().partition(|line| line.starts_with(['#', 't']));
+    let cycle = |begin: f64| {
+        let later = move |row: &str| {
+            let cells: Vec<&str> = row.split(',').collect();
+            let time: f64 = cells[0].parse().expect("a time");
+            format!("{},{},{}", time + begin, cells[1], cells[2])
+        };
+        rows.iter().map(|row| later(row)).collect::<Vec<_>>()
+    };
+    let heading = heading.join("\n").replace(",segment", "");
+    let all = [cycle(0.0), cycle(600.0), cycle(1200.0)].concat();
+    workdir.write("cycles.csv", format!("{heading}\n{}\n", all.join("\n")));
+    let fit = |free: &str| {
+        workdir.json(format!(
+            "fit cycles.csv {RUBBER} --radius-noise 0.2um --noise 2uN {free} --json"
+        ))["warnings"]
+            .to_string()
+    };
+    let several = "several-curves";
+    assert!(fit("--free film-modulus,work-of-adhesion").contains(several));
+    assert!(!fit(LAW).contains(several));
+}
+
+#[test]
 fn wrong_first_calls_say_what_to_do() {
     let workdir = workdir!();
     rubber(&workdir, "rubber.csv", str::to_owned);
@@ -144,6 +184,7 @@ fn wrong_first_calls_say_what_to_do() {
          2 | fit rubber.csv {RUBBER} --value doubling-speed=1um --value speed-exponent=0.5 | is a length, and a speed is wanted; 2um/s
          1 | fit rubber.csv {RUBBER} --value doubling-speed=0 --value speed-exponent=0.5 | doubling-speed; positive
          1 | fit rubber.csv {RUBBER} {LAW} --friction stick | full friction; without friction only
+         1 | simulate --kind load-radius {RUBBER} --work-of-adhesion 0.05 --from 60um --to 150um --noise 2uN --segments cycle --sample-interval 1s --expect {LAW} | doubling-speed; not given; at the planned value
          1 | simulate --kind load-radius {RUBBER} --value doubling-speed=1um/s --value speed-exponent=0.5 --from 60um --to 150um --noise 2uN | no times; --sample-interval S",
     ));
 }

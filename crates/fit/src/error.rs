@@ -147,6 +147,15 @@ impl Error {
         ))
     }
 
+    /// The error of too few points, of which more are left out because the speed of the contact line is not known there.
+    pub(crate) fn too_few_speeds(points: usize, parameters: usize, unknown: usize) -> Self {
+        Self::NotFitted(format!(
+            "{points} usable points do not determine {parameters} parameters and their errors; {unknown} more lie at the ends \
+             of ways, where the speed of the contact line is not known: take more images, at least some 30 of each way, or fit \
+             without doubling-speed and speed-exponent"
+        ))
+    }
+
     /// The error of a setting whose value is not allowed.
     pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self::Setting {

@@ -144,10 +144,14 @@ def test_the_law_of_a_line_is_found_from_radii_in_time():
     fast = np.abs(points.line_speed) > 1e-8
     expected = [law.energy_release_rate(speed) for speed in points.line_speed[fast]]
     assert points.energy_release_rate[fast] == pytest.approx(expected, rel=0.05)
+    assert np.isnan(points.line_speed).sum() == 12
+    assert points.line_speed[3] < 0.0 < points.line_speed[-4]
     untimed = replace(measured, time=None)
     refuses(cc.FitError, "no times.*Experiment.time", lambda: cc.fit(untimed, free))
     half = replace(measured, doubling_speed=1e-6)
     refuses(cc.FitError, "speed_exponent.*is not given", lambda: cc.fit(half, free[:2]))
+    planned = replace(measured, noise=1e-6)
+    refuses(cc.FitError, "doubling_speed.*at the planned value", lambda: cc.forecast(planned, free))
 
 
 def test_validity_in_closed_form(contact, jkr):

@@ -263,9 +263,7 @@ pub(super) fn residuals_of(
         change(&mut experiment).ok()?;
         if experiment != assigned.experiment {
             let contact_of = contacts_of(problem.table);
-            let branches = &assigned.branches;
-            let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, &[]);
-            let predicted = predicted.ok()?;
+            let predicted = assigned.predict(&experiment, &contact_of, &[]).ok()?;
             for (row, i) in rows.zip(assigned.counting_points()) {
                 residuals[row] =
                     (predicted.values[i] - experiment.compared(i)) / assigned.deviation(i);

@@ -56,6 +56,14 @@ pub fn forecast(
                     "positive where it is free: the errors are those at the planned value";
                 return Err(experiment.wrong_setting(parameter, 0.0, allowed));
             }
+            if Parameter::OF_LINE.contains(&parameter)
+                && experiment.get(parameter).is_none()
+                && experiment.why_without_effect(parameter).is_none()
+            {
+                let allowed =
+                    "given, also where it is free: the errors are those at the planned value";
+                return Err(experiment.wrong_setting(parameter, f64::NAN, allowed));
+            }
             if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
                 && let Some(layer) = experiment.bodies.layer(name)
                 && layer.interface_stiffness().is_none()

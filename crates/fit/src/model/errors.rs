@@ -28,6 +28,9 @@ pub(crate) struct AbscissaError {
     pub shift: f64,
     /// The slope of the model there.
     pub slope: f64,
+    /// From the speed of the contact line to where it most likely is, m/s, and the slope of the model over it.
+    pub speed_shift: f64,
+    pub speed_slope: f64,
 }
 
 /// Standard deviations that differ from point to point, in the order of the points. An empty list
@@ -121,13 +124,26 @@ impl Experiment {
         order: &[usize],
         noise: impl Fn(usize) -> f64,
     ) -> Result<Vec<AbscissaError>, Error> {
-        let mut errors = self.errors_of_abscissae(contact_of, branches, order, noise)?;
-        if self.has_line_law() {
-            errors.resize(self.measurement.points.len(), AbscissaError::default());
-            let parts = self.parts_of_line_speeds(contact_of, branches, order)?;
-            for (error, part) in errors.iter_mut().zip(parts) {
-                error.part = error.part.hypot(part);
+        if !self.has_line_law() {
+            return self.errors_of_abscissae(contact_of, branches, order, noise);
+        }
+        let (speeds, here) = self.errors_of_line_speeds(contact_of, branches, order)?;
+        let beside_speeds = |i: usize| noise(i).hypot(speeds[i].alone);
+        let mut errors = self.errors_of_abscissae(contact_of, branches, order, beside_speeds)?;
+        errors.resize(here.len(), AbscissaError::default());
+        for (i, error) in errors.iter_mut().enumerate() {
+            let (line, of_speed) = (self.line_speeds[i], speeds[i]);
+            // As of a radius: at the speed read, slopes and derivatives would go with its error.
+            let variance = beside_speeds(i).powi(2) + error.part.powi(2);
+            let shift = (self.compared(i) - here[i]) * of_speed.change / variance;
+            if line.deviation > 0.0 && line.deviation.is_finite() && shift.is_finite() {
+                let far = (shift.abs() / FARTHEST).max(1.0);
+                // No line turns.
+                let most = 0.5 * line.speed.abs();
+                error.speed_shift = (shift / (far * far) * line.deviation).clamp(-most, most);
+                error.speed_slope = of_speed.change / line.deviation;
             }
+            error.part = error.part.hypot(of_speed.part);
         }
         Ok(errors)
     }
@@ -206,6 +222,7 @@ impl Experiment {
                 part: change.hypot(even) / width * deviation(i),
                 shift,
                 slope: change / width,
+                ..AbscissaError::default()
             }
         };
         Ok((0..points.len()).map(error).collect())

@@ -36,6 +36,32 @@ pub struct LineSpeed {
     pub speed: f64,
     /// Its standard deviation, m/s; 0 is exact, and infinity one that is not known. A fit leaves such points out.
     pub deviation: f64,
+    /// The variance of the mean of neighbours whose speeds err alike over that of as many that do not, because they are
+    /// read from the same radii, or a cubic is not their course; 0 and 1 of speeds that err on their own.
+    pub alike: f64,
+}
+
+impl LineSpeed {
+    /// Returns by how much the standard deviation counts as larger, as one of neighbours that err alike, and together tell
+    /// no more than one of them.
+    fn together(&self, of_mean: bool) -> f64 {
+        if of_mean {
+            self.alike.max(1.0).sqrt()
+        } else {
+            1.0
+        }
+    }
+}
+
+/// What the error of a speed does to a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SpeedError {
+    /// What it adds to the standard deviation of the ordinate, of a point among neighbours that err alike.
+    pub part: f64,
+    /// The same of the point alone.
+    pub alone: f64,
+    /// The change of the ordinate over one standard deviation of the speed.
+    pub change: f64,
 }
 
 impl Experiment {
@@ -206,35 +232,45 @@ impl Experiment {
         }
     }
 
-    /// Returns what the errors of the speeds add to the standard deviation of each ordinate: the change of the model over a
-    /// step of the speed, by one or by three standard deviations, whichever is the larger one. The law is steepest at rest,
-    /// and a line that seems to move may rest.
-    pub(super) fn parts_of_line_speeds(
+    /// Returns what the errors of the speeds do to each ordinate, and the ordinates of the model. The part is the change of
+    /// the model over a step of the speed, by one or by three standard deviations, whichever is the larger one: the law is
+    /// steepest at rest, and a line that seems to move may rest.
+    pub(super) fn errors_of_line_speeds(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
-    ) -> Result<Vec<f64>, Error> {
-        let moved = |by: f64| {
+    ) -> Result<(Vec<SpeedError>, Vec<f64>), Error> {
+        let predicted = |by: f64, of_mean: bool| {
             let mut moved = self.clone();
             for one in &mut moved.line_speeds {
                 if one.deviation.is_finite() {
-                    one.speed += by * one.deviation;
+                    one.speed += by * one.deviation * one.together(of_mean);
                 }
             }
             let predicted = moved.predict_with(contact_of, branches, order, &[])?;
             Ok::<_, Error>(predicted.values)
         };
-        let here = moved(0.0)?;
-        let mut parts = vec![0.0_f64; here.len()];
-        for step in STEPS {
-            let (above, below) = (moved(step)?, moved(-step)?);
-            for (i, part) in parts.iter_mut().enumerate() {
-                let change = (above[i] - here[i]).hypot(below[i] - here[i]);
-                *part = part.max(change / (step * std::f64::consts::SQRT_2));
+        let here = predicted(0.0, false)?;
+        let mut errors = vec![SpeedError::default(); here.len()];
+        for of_mean in [false, true] {
+            for step in STEPS {
+                let [above, below] = [predicted(step, of_mean)?, predicted(-step, of_mean)?];
+                for (i, error) in errors.iter_mut().enumerate() {
+                    let change = (above[i] - here[i]).hypot(below[i] - here[i]);
+                    let part = change / (step * std::f64::consts::SQRT_2);
+                    if of_mean {
+                        error.part = error.part.max(part);
+                        continue;
+                    }
+                    error.alone = error.alone.max(part);
+                    if step == STEPS[0] {
+                        error.change = 0.5 * (above[i] - below[i]);
+                    }
+                }
             }
         }
-        Ok(parts)
+        Ok((errors, here))
     }
 
     /// Returns the energy release rate that a measured load or penetration at a contact radius tells, J/m^2.
@@ -292,18 +328,19 @@ fn speed(times: &[f64], radii: &[f64], at: f64, deviation: f64) -> LineSpeed {
         return LineSpeed {
             speed: 0.0,
             deviation: f64::INFINITY,
+            alike: 1.0,
         };
     };
     let cubic = inverse * right;
     let squares = pairs.map(|(row, radius)| (radius - row.dot(&cubic)).powi(2));
     let residual = squares.sum::<f64>() / (count - right.len() as f64);
     let noise = deviation * deviation;
-    // A course that is no cubic errs alike at all points.
+    // A course that is no cubic errs alike at all points, and where the speed most likely is follows from the noise alone.
     let variance = noise + count * (residual - noise).max(0.0);
-    // Neighbours read their speeds from the same radii, and together tell no more than one of them.
-    let shared = count / (2 * FEWEST + 1) as f64;
+    let own = if noise > 0.0 { noise } else { variance };
     LineSpeed {
         speed: -cubic[1] / scale,
-        deviation: (variance * shared * inverse[(1, 1)]).sqrt() / scale,
+        deviation: (own * inverse[(1, 1)]).sqrt() / scale,
+        alike: if own > 0.0 { variance / own } else { 1.0 } * count / (2 * FEWEST + 1) as f64,
     }
 }

@@ -42,8 +42,11 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
         };
         let known = plain(error / size);
         let parts = names.iter().enumerate().map(|(i, name)| {
-            let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
-            format!("{:.2} {unit} of {name}", one.error_of(i) / size)
+            let error = one.error_of(i);
+            match scaled(fit.estimates[i].parameter.unit(), error) {
+                (unit, _) if unit.is_empty() => format!("{error:.1e} of {name}"),
+                (unit, size) => format!("{:.2} {unit} of {name}", error / size),
+            }
         });
         let known = format!("{known} {unit}");
         *out += &format!(

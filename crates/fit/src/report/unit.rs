@@ -108,10 +108,12 @@ pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
             end if end.is_infinite() => "no limit".to_owned(),
             end => format!("{end:.decimals$}"),
         });
-        // The unit follows the last number.
+        // The unit, if there is one, follows the last number.
+        let unit = format!(" {unit}");
+        let unit = unit.trim_end();
         text += &match profile.map(f64::is_finite) {
-            [_, true] => format!(" ({low} to {high} {unit})"),
-            [true, false] => format!(" ({low} {unit} to {high})"),
+            [_, true] => format!(" ({low} to {high}{unit})"),
+            [true, false] => format!(" ({low}{unit} to {high})"),
             [false, false] => format!(" ({low} to {high})"),
         };
     }

@@ -1,8 +1,8 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
-use crate::model::{AbscissaError, Assignment, ContactOf};
+use crate::model::{AbscissaError, Assignment, ContactOf, Predicted};
 use crate::statistics::median;
-use crate::{Branch, Direction, Error, Experiment, Point};
+use crate::{Branch, Direction, Error, Experiment, Parameter, Point};
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
@@ -69,6 +69,33 @@ impl Assigned {
         Ok(())
     }
 
+    /// Predicts the points of the experiment with other values, with derivatives with respect to `parameters`. Radii and
+    /// speeds of the contact line with errors are predicted where they most likely lie, and from there along the tangent to
+    /// where they were read: at the radius read, slopes and derivatives would go with its error.
+    pub fn predict(
+        &self,
+        experiment: &Experiment,
+        contact_of: &ContactOf<'_>,
+        parameters: &[Parameter],
+    ) -> Result<Predicted, Error> {
+        let (errors, branches) = (&self.abscissa_errors, &self.branches);
+        if errors.is_empty() || !experiment.measurement.kind.at_radii() {
+            return experiment.predict_with(contact_of, branches, &self.order, parameters);
+        }
+        let mut moved = experiment.clone();
+        for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
+            point.abscissa += error.shift;
+        }
+        for (line, error) in moved.line_speeds.iter_mut().zip(errors) {
+            line.speed += error.speed_shift;
+        }
+        let mut predicted = moved.predict_with(contact_of, branches, &self.order, parameters)?;
+        for (value, error) in predicted.values.iter_mut().zip(errors) {
+            *value -= error.slope * error.shift + error.speed_slope * error.speed_shift;
+        }
+        Ok(predicted)
+    }
+
     /// Returns the standard deviation of the ordinate of a point.
     pub fn own_deviation(&self, i: usize) -> f64 {
         let own = self.experiment.own_deviation(i).unwrap_or(self.noise);
@@ -129,6 +156,15 @@ impl Assigned {
         let levels = [level(false)?, level(true)?];
         let apart = (levels[0] - levels[1]).abs();
         (apart > APART * self.seen_noise()).then_some(levels)
+    }
+
+    /// Returns the number of points that are left out because the speed of the contact line is not known there.
+    pub fn unknown_speeds(&self) -> usize {
+        let points = 0..self.branches.len();
+        let is_unknown = |i: &usize| {
+            self.branches[*i] == Branch::LeftOut && self.experiment.is_speed_unknown(*i)
+        };
+        points.filter(is_unknown).count()
     }
 
     /// Returns the number of points that count.

@@ -170,30 +170,10 @@ impl<'a> Problem<'a> {
         slots.map(|slot| self.slots[slot].parameter).collect()
     }
 
-    /// Predicts the points of an experiment, with derivatives with respect to `parameters`. Radii with errors are
-    /// predicted where they most likely lie, and from there along the tangent to where they were read: at the radius
-    /// read, slopes and derivatives would go with its error.
+    /// Predicts the points of an experiment, with derivatives with respect to `parameters`.
     pub fn predict(&self, experiment: usize, parameters: &[Parameter]) -> Result<Predicted, Error> {
-        let Assigned {
-            experiment,
-            branches,
-            order,
-            abscissa_errors: errors,
-            ..
-        } = &self.assigned[experiment];
-        let contact_of = &self.contact_of();
-        if errors.is_empty() || !experiment.measurement.kind.at_radii() {
-            return experiment.predict_with(contact_of, branches, order, parameters);
-        }
-        let mut moved = experiment.clone();
-        for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
-            point.abscissa += error.shift;
-        }
-        let mut predicted = moved.predict_with(contact_of, branches, order, parameters)?;
-        for (value, error) in predicted.values.iter_mut().zip(errors) {
-            *value -= error.slope * error.shift;
-        }
-        Ok(predicted)
+        let own = &self.assigned[experiment];
+        own.predict(&own.experiment, &self.contact_of(), parameters)
     }
 
     /// Returns the fitted ordinate of a point; `None` for one that is left out, and without a contact.
@@ -250,7 +230,7 @@ impl<'a> Problem<'a> {
             let mut own = self.assigned[e].clone();
             own.weigh(&self.contact_of())?;
             moved |= own.experiment.measurement.kind.at_radii()
-                && own.experiment.usual_abscissa_noise() > 0.0;
+                && (own.experiment.usual_abscissa_noise() > 0.0 || own.experiment.has_line_law());
             for i in own.counting_points() {
                 let ratio = own.deviation(i) / self.assigned[e].deviation(i);
                 largest = largest.max((ratio - 1.0).abs());

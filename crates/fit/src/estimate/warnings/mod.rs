@@ -8,6 +8,7 @@ pub(super) mod friction;
 pub(super) mod hold;
 pub(super) mod indentation;
 pub(super) mod interfaces;
+mod line_law;
 pub(super) mod lost_radii;
 mod pinned;
 pub(super) mod prior;

@@ -6,7 +6,7 @@
 use interp::Probe;
 use nalgebra::DVector;
 
-use super::lost_radii;
+use super::{line_law, lost_radii};
 use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
@@ -69,6 +69,17 @@ pub(crate) fn add(
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
         let zeros = Parameter::ZEROS.into_iter().filter(is_wanted);
+        if let Some(other) = line_law::doubt(&score, e) {
+            let gains = zeros
+                .clone()
+                .filter_map(|zero| score.gain_of(e, zero, |_| true));
+            let of_zeros = gains.map(|(gain, _)| gain.significance).fold(0.0, f64::max);
+            let is_better = other.significance > of_zeros;
+            warnings.push(other.doubt);
+            if is_better {
+                continue;
+            }
+        }
         if let Some(spring) = score.spring(e, zeros.clone(), explained) {
             warnings.push(spring);
         } else {
@@ -189,13 +200,13 @@ pub(crate) fn column(
 }
 
 /// What a further parameter would gain.
-struct Gain {
+pub(super) struct Gain {
     /// The decrease of the sum of squares.
-    chi_squared: f64,
+    pub chi_squared: f64,
     /// The same in units of the variance of the residuals.
     significance: f64,
     /// The change of the parameter.
-    change: f64,
+    pub change: f64,
 }
 
 impl Gain {
@@ -205,12 +216,12 @@ impl Gain {
 }
 
 /// The residuals by their influence, and what of a column is no combination of the fitted ones.
-struct Score<'a> {
-    problem: &'a Problem<'a>,
+pub(super) struct Score<'a> {
+    pub problem: &'a Problem<'a>,
     /// The residuals as they are.
     raw: &'a DVector<f64>,
-    uncertainty: &'a Uncertainty,
-    residuals: DVector<f64>,
+    pub uncertainty: &'a Uncertainty,
+    pub residuals: DVector<f64>,
     /// The variance of a residual per unit of the noise.
     variance: f64,
     /// Whether it follows from the residuals.
@@ -245,7 +256,7 @@ impl<'a> Score<'a> {
     }
 
     /// Returns the gain of a column; `None` if it is a combination of the fitted ones.
-    fn gain(&self, column: &DVector<f64>) -> Option<Gain> {
+    pub fn gain(&self, column: &DVector<f64>) -> Option<Gain> {
         let rest = self.uncertainty.without_fitted(column);
         let length = rest.norm_squared();
         if length.is_nan() || length <= LEFT * LEFT * column.norm_squared() {
@@ -253,6 +264,15 @@ impl<'a> Score<'a> {
         }
         let product = self.residuals.dot(&rest);
         let chi_squared = product * product / length;
+        Some(Gain {
+            chi_squared,
+            significance: self.significance(chi_squared),
+            change: -product / length,
+        })
+    }
+
+    /// Returns a decrease of the sum of squares in units of the variance that the residuals then have.
+    pub fn significance(&self, chi_squared: f64) -> f64 {
         let freedom = self.residuals.len() as f64;
         let remaining = (self.variance - chi_squared / freedom).max(1e-9 * self.variance);
         let variance = if self.variance_is_estimated {
@@ -260,11 +280,7 @@ impl<'a> Score<'a> {
         } else {
             remaining.max(1.0)
         };
-        Some(Gain {
-            chi_squared,
-            significance: chi_squared / variance,
-            change: -product / length,
-        })
+        chi_squared / variance
     }
 
     /// Returns what adhesion would gain in contacts that are fitted without, and the work of adhesion that it would be,

@@ -35,6 +35,8 @@ use crate::{
 
 /// The distance of a number from the end of what is possible at which it is there.
 const NEAR_END: f64 = 1e-3;
+/// The exponent of the speed of a contact line below which a factor of the speed of ten changes adhesion by less than 13 %.
+const NO_EXPONENT: f64 = 0.05;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
 
@@ -311,6 +313,13 @@ fn undetermined(
             names[i],
             1e2 * UNDETERMINED
         )));
+        if parameter == Parameter::SpeedExponent && estimate.value < NO_EXPONENT {
+            warnings.push(WarningKind::Undetermined.with(format!(
+                "with {} near 0 adhesion does not depend on the speed but on the way alone: fit a work of adhesion of its own \
+                 for each way (work-of-adhesion-receding) in place of doubling-speed and speed-exponent",
+                names[i]
+            )));
+        }
         let is_other = matches!(
             parameter,
             Parameter::SphereModulus | Parameter::Layer(_, LayerQuantity::InterfaceStiffness)

@@ -379,10 +379,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ));
     }
     arguments.reference.check(&free)?;
-    if parameters.contains(&Parameter::BaselineSlope) {
-        let is_other = |doubt: &Doubt| doubt.kind != DoubtKind::Tilt;
-        let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
-        lists.for_each(|doubts| doubts.retain(is_other));
+    // A tilt that is fitted is none to doubt, and cycles in time are one course of the contact line.
+    let answered = [
+        (Parameter::BaselineSlope, DoubtKind::Tilt),
+        (Parameter::DoublingSpeed, DoubtKind::Curves),
+    ];
+    for (parameter, kind) in answered {
+        if parameters.contains(&parameter) {
+            let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
+            lists.for_each(|doubts| doubts.retain(|doubt: &Doubt| doubt.kind != kind));
+        }
     }
     let quantities = values.iter().map(|set| set.quantity);
     let quantities = quantities.chain(arguments.given.iter().map(|one| one.quantity));

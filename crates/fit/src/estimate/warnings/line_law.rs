@@ -1,0 +1,144 @@
+//! The doubt that adhesion follows another law of the speed of the contact line than the one fitted.
+//!
+//! Neighbours read their speeds from the same radii, so that their residuals are alike and do not tell whether the model
+//! holds. What tells is whether the work of adhesion would be another one in a range of the speeds: Rao's score test of a
+//! work of adhesion of its own for each of some ranges of both ways.
+
+use nalgebra::DVector;
+
+use super::wanted::{Score, column};
+use crate::statistics::excess;
+use crate::{Parameter, Warning, WarningKind};
+
+/// The most ranges of the speeds of one way, and the fewest points in one.
+const RANGES: usize = 4;
+const FEWEST: usize = 5;
+/// The standard deviations of its speed from which on a line moves.
+const MOVES: f64 = 3.0;
+/// The part of a column that is left without the others, below which it tells nothing of its own.
+const LEFT: f64 = 0.2;
+/// The excess of the gain from which on the law is doubted, in standard deviations. Of 312 sound fits of 80 to 3700 points one
+/// is beyond it.
+const DOUBTED: f64 = 5.0;
+
+/// The doubt that another law describes the data better.
+pub(super) struct OtherLaw {
+    /// What other works of adhesion gain, in units of the variance of the residuals.
+    pub significance: f64,
+    pub doubt: Warning,
+}
+
+/// Returns the doubt about the law of experiment `e`, if works of adhesion of their own gain more than chance.
+pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
+    let own = &score.problem.assigned[e];
+    let experiment = &own.experiment;
+    if !experiment.has_line_law() {
+        return None;
+    }
+    // Where the speed most likely is: one that was read too large would have a residual of one sign.
+    let speed = |i: usize| {
+        let error = own.abscissa_errors.get(i);
+        experiment.line_speeds[i].speed + error.map_or(0.0, |error| error.speed_shift)
+    };
+    // Where a line may rest the law is steepest, and the mean of what errors of the speed make of it is not 0.
+    let moves = |i: usize| {
+        let line = experiment.line_speeds[i];
+        speed(i).abs() >= MOVES * line.deviation
+    };
+    let ranges = ranges(
+        own.counting_points(),
+        |i| own.branches[i].is_contact() && moves(i),
+        speed,
+    );
+    let works = Parameter::WORKS.into_iter();
+    let works: Vec<DVector<f64>> = works
+        .filter_map(|work| column(score.problem, e, work, |_| true))
+        .collect();
+    let rows = &score.problem.rows_of_experiments()[e];
+    let of_range = |range: &Vec<usize>| {
+        let mut column = DVector::zeros(score.residuals.len());
+        for (row, i) in rows.clone().zip(own.counting_points()) {
+            if range.contains(&i) {
+                column[row] = works.iter().map(|work| work[row]).sum();
+            }
+        }
+        column
+    };
+    let columns: Vec<DVector<f64>> = ranges.iter().map(of_range).collect();
+    let (chi_squared, freedom) = joint_gain(score, &columns);
+    // Neighbours that are alike make the variance less than 1, but that of the mean of a range is as it is given.
+    let significance = score.significance(chi_squared).min(chi_squared);
+    if freedom == 0 || excess(significance, freedom as f64) <= DOUBTED {
+        return None;
+    }
+    let gains = columns
+        .iter()
+        .zip(&ranges)
+        .filter_map(|(column, range)| Some((score.gain(column)?, range)));
+    let (most, range) =
+        gains.max_by(|one, other| one.0.chi_squared.total_cmp(&other.0.chi_squared))?;
+    let [first, last] = [range[0], range[range.len() - 1]];
+    let work = experiment.work_of(own.branches[first]);
+    let way = if speed(first) > 0.0 {
+        "recedes"
+    } else {
+        "advances"
+    };
+    let doubt = WarningKind::PoorFit.with(format!(
+        "{}: adhesion does not follow this law of the speed of the contact line: with a work of adhesion of its own in each of \
+         {} ranges of the speed, chi^2 would be lower by {chi_squared:.0}, most where the line {way} with {:.1e} to {:.1e} m/s, \
+         where it would be {:.0} % {}. Values may be wrong by far more than their standard errors. Fit each direction alone, \
+         which shows whether the law holds in both; and check the zero and the drift of the load, and that loads and radii are \
+         of the same times",
+        experiment.measurement.name,
+        ranges.len(),
+        speed(first).abs(),
+        speed(last).abs(),
+        1e2 * (most.change / work).abs(),
+        if most.change > 0.0 { "larger" } else { "smaller" },
+    ));
+    Some(OtherLaw {
+        significance,
+        doubt,
+    })
+}
+
+/// Returns the points in ranges of the speed: of a line that advances, then of one that recedes, each by rising size.
+fn ranges(
+    points: impl Iterator<Item = usize>,
+    counts: impl Fn(usize) -> bool,
+    speed: impl Fn(usize) -> f64,
+) -> Vec<Vec<usize>> {
+    let (receding, advancing): (Vec<usize>, Vec<usize>) =
+        points.filter(|&i| counts(i)).partition(|&i| speed(i) > 0.0);
+    let in_ranges = |mut way: Vec<usize>| {
+        way.sort_by(|&i, &j| speed(i).abs().total_cmp(&speed(j).abs()));
+        let count = (way.len() / FEWEST).min(RANGES);
+        let size = way
+            .len()
+            .checked_div(count)
+            .map_or(usize::MAX, |size| size + 1);
+        let ranges = way.chunks(size).filter(|range| range.len() >= FEWEST);
+        ranges.map(<[usize]>::to_vec).collect::<Vec<_>>()
+    };
+    [advancing, receding].map(in_ranges).concat()
+}
+
+/// Returns the gain of all columns together, and how many of them are no combination of the others and of the fitted ones.
+fn joint_gain(score: &Score<'_>, columns: &[DVector<f64>]) -> (f64, usize) {
+    let (mut apart, mut chi_squared) = (Vec::<DVector<f64>>::new(), 0.0);
+    for column in columns {
+        let mut rest = score.uncertainty.without_fitted(column);
+        for other in &apart {
+            let along = rest.dot(other);
+            rest.axpy(-along, other, 1.0);
+        }
+        let length = rest.norm();
+        if length > LEFT * column.norm() {
+            rest /= length;
+            chi_squared += score.residuals.dot(&rest).powi(2);
+            apart.push(rest);
+        }
+    }
+    (chi_squared, apart.len())
+}
