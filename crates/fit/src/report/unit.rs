@@ -30,6 +30,8 @@ impl UnitOf {
 const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
 /// The number below which a power of ten is written: no prefix makes it a usual number.
 const LEAST: f64 = 1e-9;
+/// The number above which a power of ten is written.
+const MOST: f64 = 1e9;
 /// The part of its standard error, and the size (J/m^2), below which a work of adhesion has ended at 0.
 const NOTHING: f64 = 1e-4;
 const NO_ADHESION: f64 = 1e-9;
@@ -71,15 +73,22 @@ pub fn is_zero(estimate: &Estimate) -> bool {
 /// Returns a value and its error, both in `unit`, with two digits of the error.
 fn with_error(value: f64, error: f64, unit: &str) -> String {
     let decimals = decimals(value, error);
-    if !error.is_finite() {
-        return format!("{value:.decimals$} {unit}, without an error");
-    }
-    let numbers = if value != 0.0 && value.abs() < LEAST {
-        format!("{value:.1e} +- {error:.1e}")
-    } else {
-        format!("{value:.decimals$} +- {error:.decimals$}")
+    let is_known = error.is_finite();
+    let size = value.abs().max(if is_known { error } else { 0.0 });
+    let is_usual = size <= MOST && (value == 0.0 || value.abs() >= LEAST);
+    let text = |number: f64| {
+        if is_usual {
+            format!("{number:.decimals$}")
+        } else {
+            format!("{number:.1e}")
+        }
     };
-    format!("{numbers} {unit}").trim_end().to_owned()
+    if !is_known {
+        return format!("{} {unit}, without an error", text(value));
+    }
+    format!("{} +- {} {unit}", text(value), text(error))
+        .trim_end()
+        .to_owned()
 }
 
 /// Returns value, error and unit of an estimate, and its interval.
@@ -178,6 +187,9 @@ mod tests {
         assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
         assert_eq!(modulus(2e6, f64::INFINITY), "2.000 MPa, without an error");
         assert_eq!(modulus(3e-60, 2e-23), "3.0e-48 +- 2.0e-11 pPa");
+        assert_eq!(modulus(3e140, 2e139), "3.0e131 +- 2.0e130 GPa");
+        assert_eq!(modulus(3e140, f64::NAN), "3.0e131 GPa, without an error");
+        assert_eq!(modulus(2e6, 1.3e17), "2.0e0 +- 1.3e11 MPa");
         let asked = [UnitOf::new(Parameter::FilmModulus, "kPa").expect("a unit")];
         let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
         assert_eq!((unit_name.as_str(), size), ("kPa", 1e3));
