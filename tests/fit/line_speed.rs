@@ -504,6 +504,12 @@ fn what_a_law_needs_is_named() {
         };
         fit_all(&[experiment], &free_of(&LAW)).refused(words);
     }
+    let law = [FilmModulus, DoublingSpeed, SpeedExponent];
+    refused(
+        |one| one.work_of_adhesion = 0.0,
+        &law,
+        "doubling-speed; work of adhesion is 0; free it",
+    );
     let few = fit_all(&[read(&moved(LINE), [3, 6])], &LAW.map(Free::new));
     few.refused("usable points; 9 more lie at the ends; at least some 30 of each way");
 }

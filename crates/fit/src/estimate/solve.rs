@@ -271,6 +271,13 @@ pub(crate) fn prepare(
                 experiment.set(work, f64::MIN_POSITIVE)?;
             }
         }
+        let mut works = Parameter::WORKS
+            .into_iter()
+            .filter_map(|work| experiment.get(work));
+        if experiment.has_line_law() && works.all(|work| work == 0.0) {
+            let reason = "its work of adhesion is 0: give one, or free it";
+            return Err(experiment.not_applicable(Parameter::DoublingSpeed, reason));
+        }
         let assignment = experiment.assign(is_free)?;
         assigned.push(Assigned::new(experiment, assignment));
     }
