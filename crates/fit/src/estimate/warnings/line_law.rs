@@ -55,12 +55,14 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
         .filter_map(|work| column(score.problem, e, work, |_| true))
         .collect();
     let rows = &score.problem.rows_of_experiments()[e];
+    let mut row_of = vec![0; own.branches.len()];
+    for (row, i) in rows.clone().zip(own.counting_points()) {
+        row_of[i] = row;
+    }
     let of_range = |range: &Vec<usize>| {
         let mut column = DVector::zeros(score.residuals.len());
-        for (row, i) in rows.clone().zip(own.counting_points()) {
-            if range.contains(&i) {
-                column[row] = works.iter().map(|work| work[row]).sum();
-            }
+        for row in range.iter().map(|&i| row_of[i]) {
+            column[row] = works.iter().map(|work| work[row]).sum();
         }
         column
     };
