@@ -325,6 +325,42 @@ fn points_without_a_direction_have_the_speeds_of_both_ways() {
     }
 }
 
+/// Points without a contact between two loops have no speed, and none of the second loop is read across them.
+#[test]
+fn a_line_that_vanishes_has_no_speed_until_it_is_there_again() {
+    let one = read(&moved(LINE), [60, 120]);
+    let mut two = one.clone();
+    let end = one.times[179];
+    for i in 0..5 {
+        two.times.push(end + 1.0 + f64::from(i));
+        two.measurement.points.push(Point {
+            abscissa: 0.0,
+            ordinate: 0.0,
+            ..one.measurement.points[179]
+        });
+    }
+    let again = one.times.iter().map(|time| end + 10.0 + time);
+    two.times.extend(again);
+    two.measurement.points.extend(&one.measurement.points);
+    for point in &mut two.measurement.points {
+        point.direction = None;
+    }
+    let found = fitted(&two, &free_of(&LAW));
+    let truth = with_law(one, LINE);
+    for parameter in LAW {
+        let value = found.estimate(parameter).expect("free").value;
+        let off = value / truth.get(parameter).expect("a value") - 1.0;
+        assert!(off.abs() < 0.01, "{parameter}: {off:e}");
+    }
+    let has_speed: Vec<bool> = (found.experiments[0].points.iter())
+        .map(|point| point.line_speed.is_some())
+        .collect();
+    let ends = [0..3, 177..188, 362..365];
+    for (i, has_speed) in has_speed.into_iter().enumerate() {
+        assert_eq!(has_speed, !ends.iter().any(|end| end.contains(&i)), "{i}");
+    }
+}
+
 #[test]
 fn speeds_that_are_given_are_taken() {
     let exact = with_law(read(&moved(LINE), [30, 60]), LINE);

@@ -374,7 +374,7 @@ fn experiment(
         let fit = problem.ordinate(e, i);
         let without_film = without_film.and_then(|all| all.ordinate(e, i));
         let speed = experiment.line_speeds.get(i);
-        let speed = speed.filter(|one| counts && one.deviation.is_finite());
+        let speed = speed.filter(|one| branch.is_contact() && one.deviation.is_finite());
         let line_speed = speed.map(|one| one.speed);
         let deviation = assigned.deviation(i) * measurement.kind.scale(point.ordinate);
         FittedPoint {

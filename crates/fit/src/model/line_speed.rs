@@ -142,7 +142,9 @@ impl Experiment {
         let in_contact: Vec<usize> = (0..points.len())
             .filter(|&i| points[i].abscissa > 0.0)
             .collect();
-        let same = |i: &usize, j: &usize| points[*i].direction == points[*j].direction;
+        // A line that has vanished between two points begins anew.
+        let same =
+            |i: &usize, j: &usize| *j == i + 1 && points[*i].direction == points[*j].direction;
         for way in in_contact.chunk_by(same) {
             self.read_speeds(way, &mut speeds);
         }
