@@ -142,8 +142,11 @@ fn cycles_in_one_file_are_one_course_in_time() {
             .to_string()
     };
     let several = "several-curves";
-    assert!(fit("--free film-modulus,work-of-adhesion").contains(several));
+    let two = "--free film-modulus,work-of-adhesion";
+    assert!(fit(two).contains(several));
     assert!(!fit(LAW).contains(several));
+    let given = format!("{two} --value doubling-speed=1um/s --value speed-exponent=0.5");
+    assert!(!fit(&given).contains(several));
 }
 
 #[test]
