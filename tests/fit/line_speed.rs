@@ -477,6 +477,16 @@ fn what_a_law_needs_is_named() {
     );
     refused(|one| one.times[4] = 0.0, &LAW, "line 5; times must rise");
     refused(
+        |one| one.times[29] = f64::INFINITY,
+        &LAW,
+        "line 30; time = inf; finite",
+    );
+    refused(
+        |one| one.times[0] = f64::NEG_INFINITY,
+        &LAW,
+        "line 1; time = -inf; finite",
+    );
+    refused(
         |one| one.times.truncate(3),
         &LAW,
         "the number of times; 3; 30",
@@ -542,4 +552,7 @@ fn what_a_law_needs_is_named() {
     }
     let few = fit_all(&[read(&moved(LINE), [3, 6])], &LAW.map(Free::new));
     few.refused("usable points; 9 more lie at the ends; at least some 30 of each way");
+    let mut plan = with_law(read(&moved(LINE), [3, 6]), LINE);
+    plan.noise = Some(2e-6);
+    forecast(Table::embedded(), &[plan], &free_of(&LAW)).refused("9 more lie at the ends");
 }

@@ -86,11 +86,7 @@ fn to_the_end(
     let points: usize = data.iter().map(Assigned::counting).sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
-        let unknown = |one: &Assigned| one.unknown_speeds();
-        return Err(match data.iter().map(unknown).sum() {
-            0 => Error::too_few_points(points, slots.len()),
-            unknown => Error::too_few_speeds(points, slots.len(), unknown),
-        });
+        return Err(Assigned::too_few(&data, slots.len()));
     }
     fixed_values::accept(&data, &slots, &options.known)?;
     let mut found = minimum(table, &data, (free, &slots), options.loss)?;
