@@ -41,7 +41,7 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, Error> {
         .chain(lines.iter().flatten().flatten())
         .map(|at| at[1]);
     let energies = Axis::decades("energy release rate (J/m²)", energies);
-    // The number of the last decade stands half outside the axes.
+    // Half of the number at the last decade is outside the axes.
     let mut panel = Panel::new("Adhesion over speed: data and fit", speeds, energies).margin(24);
     let names = short_names(experiments.iter().map(|one| &*one.measurement.name));
     for (i, of_law) in lines.into_iter().enumerate() {

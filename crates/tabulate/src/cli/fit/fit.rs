@@ -180,7 +180,7 @@ pub struct Arguments {
     ///
     /// {"created_by": program and version, "command", "read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "line_speed": [least, most] in m/s with a free doubling-speed, "loss": {"angle", "tangent", "stderr"} where
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "line_speed": [least, most] in m/s with a doubling-speed, "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
