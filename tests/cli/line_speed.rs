@@ -94,6 +94,24 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
 }
 
 #[test]
+fn of_many_points_a_picture_draws_some() {
+    let workdir = workdir!();
+    let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
+    workdir.simulate(format!(
+        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {of_line} --from 60um --to 150um --segments cycle \
+         --points 4000 --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
+    ));
+    workdir.answer(format!(
+        "fit cycle.csv {RUBBER} --free work-of-adhesion {of_line} --noise 2uN --plot speed.svg --plot-kind speed"
+    ));
+    let svg = workdir.text("speed.svg");
+    for colour in COLOURS {
+        let drawn = markers(&svg, colour).len();
+        assert!((1000..1600).contains(&drawn), "{drawn}");
+    }
+}
+
+#[test]
 fn a_line_of_one_speed_is_simulated_and_found() {
     let workdir = workdir!();
     let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
