@@ -93,6 +93,36 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
     assert_eq!(drawn, [advancing, speeds.len() - advancing]);
 }
 
+/// A camera sees radii in pixels, which stay equal where the line creeps.
+#[test]
+fn points_of_the_speed_0_are_told_and_not_drawn() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let text = workdir.text("rubber.csv");
+    let approach = text.lines().filter(|line| !line.ends_with("retract"));
+    let dwell = (0..60).map(|i| format!("{},1.662e-4,7.8921e-3,approach", 203 + i));
+    let lines: Vec<String> = approach.map(str::to_owned).chain(dwell).collect();
+    workdir.write("dwell.csv", lines.join("\n"));
+    let fit = "--free film-modulus,work-of-adhesion --value doubling-speed=1um/s --value speed-exponent=0.5";
+    let found = workdir.answer(format!(
+        "fit dwell.csv {RUBBER} {fit} --radius-noise 0.2um --noise 2uN --csv points.csv --plot speed.svg --plot-kind speed"
+    ));
+    assert_names(&found.stdout, "speeds of the contact line from 0 m/s to");
+    let points = Data::parse("points.csv", &workdir.text("points.csv"));
+    let speeds = points
+        .cases()
+        .filter_map(|case| case.text("line_speed").parse().ok());
+    let speeds: Vec<f64> = speeds.collect();
+    let moving = speeds.iter().filter(|speed| **speed != 0.0).count();
+    assert!(speeds.len() > moving + 10, "{speeds:?}");
+    let svg = workdir.text("speed.svg");
+    let drawn: usize = COLOURS
+        .iter()
+        .map(|colour| markers(&svg, colour).len())
+        .sum();
+    assert_eq!(drawn, moving);
+}
+
 #[test]
 fn of_many_points_a_picture_draws_some() {
     let workdir = workdir!();

@@ -18,10 +18,11 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, Error> {
     let plots: Vec<_> = (experiments.iter().enumerate())
         .map(|(i, experiment)| line_plot(fit, experiment, i))
         .collect::<Result<_, _>>()?;
-    // What is not positive has no place on a logarithmic axis.
+    // A speed of 0, and an energy that is not positive, have no place on a logarithmic axis.
     let places = |i: usize, recedes: bool| -> Vec<Point> {
         let own = plots[i].points.iter();
-        let own = own.filter(|[speed, energy]| (*speed > 0.0) == recedes && *energy > 0.0);
+        let own = own.filter(|[speed, _]| (*speed > 0.0) == recedes);
+        let own = own.filter(|[speed, energy]| *speed != 0.0 && *energy > 0.0);
         own.map(|[speed, energy]| [speed.abs(), *energy]).collect()
     };
     let all: Vec<Point> = (0..plots.len())
