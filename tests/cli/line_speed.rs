@@ -28,6 +28,15 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
         "fit rubber.csv {RUBBER} {noise} --free film-modulus,work-of-adhesion"
     ));
     assert_names(&without.stdout, "--free ...,doubling-speed,speed-exponent");
+    // Where the law is free already, and does not make the loop, it is no next step.
+    let bounds = "--bounds doubling-speed=1mm/s..1m/s";
+    let slow = workdir.answer(format!("fit rubber.csv {RUBBER} {noise} {LAW} {bounds}"));
+    assert_names(&slow.stdout, "loading and unloading that differ");
+    assert!(
+        !slow.stdout.contains("--free ...,doubling-speed"),
+        "{}",
+        slow.stdout
+    );
     let found = workdir.json(format!(
         "fit rubber.csv {RUBBER} {noise} {LAW} --json --csv points.csv --plot speed.svg --plot-kind speed"
     ));
@@ -82,6 +91,54 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
     let svg = workdir.text("speed.svg");
     let drawn = COLOURS.map(|colour| markers(&svg, colour).len());
     assert_eq!(drawn, [advancing, speeds.len() - advancing]);
+}
+
+/// A camera sees radii in pixels, which stay equal where the line creeps.
+#[test]
+fn points_of_the_speed_0_are_told_and_not_drawn() {
+    let workdir = workdir!();
+    rubber(&workdir, "rubber.csv", str::to_owned);
+    let text = workdir.text("rubber.csv");
+    let approach = text.lines().filter(|line| !line.ends_with("retract"));
+    let dwell = (0..60).map(|i| format!("{},1.662e-4,7.8921e-3,approach", 203 + i));
+    let lines: Vec<String> = approach.map(str::to_owned).chain(dwell).collect();
+    workdir.write("dwell.csv", lines.join("\n"));
+    let fit = "--free film-modulus,work-of-adhesion --value doubling-speed=1um/s --value speed-exponent=0.5";
+    let found = workdir.answer(format!(
+        "fit dwell.csv {RUBBER} {fit} --radius-noise 0.2um --noise 2uN --csv points.csv --plot speed.svg --plot-kind speed"
+    ));
+    assert_names(&found.stdout, "speeds of the contact line from 0 m/s to");
+    let points = Data::parse("points.csv", &workdir.text("points.csv"));
+    let speeds = points
+        .cases()
+        .filter_map(|case| case.text("line_speed").parse().ok());
+    let speeds: Vec<f64> = speeds.collect();
+    let moving = speeds.iter().filter(|speed| **speed != 0.0).count();
+    assert!(speeds.len() > moving + 10, "{speeds:?}");
+    let svg = workdir.text("speed.svg");
+    let drawn: usize = COLOURS
+        .iter()
+        .map(|colour| markers(&svg, colour).len())
+        .sum();
+    assert_eq!(drawn, moving);
+}
+
+#[test]
+fn of_many_points_a_picture_draws_some() {
+    let workdir = workdir!();
+    let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
+    workdir.simulate(format!(
+        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {of_line} --from 60um --to 150um --segments cycle \
+         --points 4000 --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
+    ));
+    workdir.answer(format!(
+        "fit cycle.csv {RUBBER} --free work-of-adhesion {of_line} --noise 2uN --plot speed.svg --plot-kind speed"
+    ));
+    let svg = workdir.text("speed.svg");
+    for colour in COLOURS {
+        let drawn = markers(&svg, colour).len();
+        assert!((1000..1600).contains(&drawn), "{drawn}");
+    }
 }
 
 #[test]
@@ -142,8 +199,11 @@ fn cycles_in_one_file_are_one_course_in_time() {
             .to_string()
     };
     let several = "several-curves";
-    assert!(fit("--free film-modulus,work-of-adhesion").contains(several));
+    let two = "--free film-modulus,work-of-adhesion";
+    assert!(fit(two).contains(several));
     assert!(!fit(LAW).contains(several));
+    let given = format!("{two} --value doubling-speed=1um/s --value speed-exponent=0.5");
+    assert!(!fit(&given).contains(several));
 }
 
 #[test]

@@ -10,20 +10,17 @@ use fit::{
 use interp::{Probe, System, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{
-    assert_silent, assert_warns, doubts, fit_all, fitted, free_of, half_space, measurement,
-    measurement_at,
-};
+use crate::imagined::{doubts, fit_all, fitted, free_of, half_space, measurement, measurement_at};
 use crate::recovery::SETS;
 use Parameter::{
     ContactPoint, DoublingSpeed, FilmModulus, SpeedExponent, WorkOfAdhesion, WorkOfAdhesionReceding,
 };
 
-const LAW: [Parameter; 4] = [FilmModulus, WorkOfAdhesion, DoublingSpeed, SpeedExponent];
+pub const LAW: [Parameter; 4] = [FilmModulus, WorkOfAdhesion, DoublingSpeed, SpeedExponent];
 /// The work of adhesion at rest (J/m^2), the speed (m/s) at which it doubles, and the exponent.
-const LINE: [f64; 3] = [0.05, 1e-6, 0.5];
+pub const LINE: [f64; 3] = [0.05, 1e-6, 0.5];
 
-/// The most of 200 sound fits that a slow line whose speed errs by far more than usual gives a doubt.
+/// The most of 200 sound fits that may have a doubt, as by a slow line whose speed has an unusually large error.
 const MOST_DOUBTED: usize = 6;
 
 /// A glass lens on a film of rubber as thick as the contact is wide.
@@ -36,12 +33,12 @@ fn rubber() -> System {
     )
 }
 
-fn contact() -> Contact {
+pub fn contact() -> Contact {
     Contact::in_table(Table::embedded(), &rubber()).expect("in the table")
 }
 
 /// The states of a lens that is pressed on rubber and lifted, with the load in time as the motor imposes it.
-fn moved([w, v0, n]: [f64; 3]) -> [Vec<TimedState>; 2] {
+pub fn moved([w, v0, n]: [f64; 3]) -> [Vec<TimedState>; 2] {
     let contact = contact();
     let law = RateDependent::new(w, v0, n).expect("physical");
     let mut line = contact.line(law, 6e-5).expect("in the table");
@@ -56,7 +53,7 @@ fn moved([w, v0, n]: [f64; 3]) -> [Vec<TimedState>; 2] {
 }
 
 /// What a camera and a load cell read of the course at equal times, `counts` on each way.
-fn read(course: &[Vec<TimedState>; 2], counts: [usize; 2]) -> Experiment {
+pub fn read(course: &[Vec<TimedState>; 2], counts: [usize; 2]) -> Experiment {
     let (mut points, mut times) = (Vec::new(), Vec::new());
     let mut begin = 0.0;
     for ((states, count), direction) in course.iter().zip(counts).zip(Direction::ALL) {
@@ -86,7 +83,11 @@ fn read(course: &[Vec<TimedState>; 2], counts: [usize; 2]) -> Experiment {
     }
 }
 
-fn with_noise(mut experiment: Experiment, [of_radius, of_load]: [f64; 2], seed: u64) -> Experiment {
+pub fn with_noise(
+    mut experiment: Experiment,
+    [of_radius, of_load]: [f64; 2],
+    seed: u64,
+) -> Experiment {
     let mut random = Contacts::new(seed);
     for point in &mut experiment.measurement.points {
         point.abscissa += of_radius * random.normal();
@@ -137,8 +138,8 @@ fn the_points_of_a_plot_over_speed_are_those_of_the_law() {
     line_plot(&constant, &exact, 0).refused("does not depend on the speed");
 }
 
-/// Speeds of neighbours come from the same radii. Of a modulus, which the loads tell, too, the errors are too large by up
-/// to a third by what is added for that; none is too small.
+/// The values scatter by 0.8 to 1.2 of their standard errors. Most errors are somewhat too large: what is added because the
+/// speeds of neighbours are read from the same radii counts for the modulus, too, which the loads tell as well.
 #[test]
 fn the_truth_of_noisy_lines_is_within_the_intervals() {
     for (name, noise, counts, law) in [
@@ -182,8 +183,8 @@ fn the_truth_of_noisy_lines_is_within_the_intervals() {
     }
 }
 
-/// The errors of the speeds would hide a part of how adhesion depends on them, and one way would make values of the modulus
-/// and of the work of adhesion of that which are wrong by up to 13 standard errors.
+/// With all points at the speeds that were read, the errors of the speeds would weaken how adhesion depends on them, and from
+/// one way modulus and work of adhesion would be wrong by up to 13 standard errors.
 #[test]
 fn one_way_alone_tells_the_law_without_a_bias() {
     let exact = read(&moved(LINE), [120, 180]);
@@ -217,86 +218,6 @@ fn one_way_alone_tells_the_law_without_a_bias() {
     }
 }
 
-/// The work of adhesion grows with the logarithm of the speed, not with a power.
-#[test]
-fn another_law_than_the_fitted_one_is_doubted() {
-    let (noise, exact, contact) = ([1e-7, 1e-6], read(&moved(LINE), [120, 180]), contact());
-    let [w, v0, _] = LINE;
-    let logarithmic = |point: &Point| {
-        let rate = contact.energy_release_rate_at_load(point.abscissa, point.ordinate);
-        let ratio = rate.expect("in the table") / w;
-        // The exponent is 1/2.
-        let speed = v0 * (ratio.max(ratio.recip()) - 1.0).powi(2);
-        let factor = 1.0 + 0.5 * (speed / 1e-7).ln_1p();
-        let other = if ratio > 1.0 { w * factor } else { w / factor };
-        contact.load(point.abscissa, other).expect("in the table")
-    };
-    let mut other = exact.clone();
-    for point in &mut other.measurement.points {
-        point.ordinate = logarithmic(point);
-    }
-    let words = "does not follow this law of the speed of the contact line";
-    for seed in 0..5 {
-        for (exact, is_other) in [(&exact, false), (&other, true)] {
-            let mut measured = with_noise(exact.clone(), noise, seed);
-            measured.abscissa_noise = noise[0];
-            measured.noise = Some(noise[1]);
-            let found = fitted(&measured, &free_of(&LAW));
-            let is_doubted = found.warnings.iter().any(|one| one.text.contains(words));
-            assert_eq!(is_doubted, is_other, "{:?}", found.warnings);
-        }
-    }
-}
-
-#[test]
-fn adhesion_that_depends_on_the_way_alone_is_told() {
-    let mut measured = read(&moved(LINE), [60, 120]);
-    let contact = contact();
-    for point in &mut measured.measurement.points {
-        let work = if point.direction == Some(Direction::Retract) {
-            0.1
-        } else {
-            0.05
-        };
-        point.ordinate = contact.load(point.abscissa, work).expect("in the table");
-    }
-    let mut measured = with_noise(measured, [2e-7, 2e-6], 1);
-    measured.abscissa_noise = 2e-7;
-    measured.noise = Some(2e-6);
-    let found = fitted(&measured, &free_of(&LAW));
-    assert_warns(&found, WarningKind::Undetermined, "on the way alone");
-}
-
-#[test]
-fn without_the_law_such_data_ask_for_it() {
-    let noise = [2e-7, 2e-6];
-    let measured = with_noise(read(&moved(LINE), [30, 60]), noise, 1);
-    let two_works = [FilmModulus, WorkOfAdhesion, WorkOfAdhesionReceding];
-    for free in [&two_works[..2], &two_works[..]] {
-        let found = fitted(&measured, &free_of(free));
-        let asks = "free doubling-speed and speed-exponent";
-        assert_warns(&found, WarningKind::Hysteresis, asks);
-        let untimed = Experiment {
-            times: Vec::new(),
-            ..measured.clone()
-        };
-        let found = fitted(&untimed, &free_of(free));
-        let loop_of = found
-            .warnings
-            .iter()
-            .find(|one| one.kind == WarningKind::Hysteresis);
-        assert!(!loop_of.expect("a loop").text.contains(asks));
-    }
-    let found = fitted(&measured, &free_of(&LAW));
-    for kind in [
-        WarningKind::Hysteresis,
-        WarningKind::PinnedLine,
-        WarningKind::MixedBranches,
-    ] {
-        assert_silent(&found, kind);
-    }
-}
-
 #[test]
 fn radii_of_a_camera_that_come_in_pixels_tell_the_law() {
     let mut measured = with_noise(read(&moved(LINE), [300, 600]), [0.0, 2e-6], 1);
@@ -322,6 +243,42 @@ fn points_without_a_direction_have_the_speeds_of_both_ways() {
     for (one, other) in one.estimates.iter().zip(&other.estimates) {
         let off = other.value / one.value - 1.0;
         assert!(off.abs() < 5e-3, "{}: {off:e}", one.parameter);
+    }
+}
+
+/// Points without a contact between two loops have no speed, and none of the second loop is read across them.
+#[test]
+fn a_line_that_vanishes_has_no_speed_until_it_is_there_again() {
+    let one = read(&moved(LINE), [60, 120]);
+    let mut two = one.clone();
+    let end = one.times[179];
+    for i in 0..5 {
+        two.times.push(end + 1.0 + f64::from(i));
+        two.measurement.points.push(Point {
+            abscissa: 0.0,
+            ordinate: 0.0,
+            ..one.measurement.points[179]
+        });
+    }
+    let again = one.times.iter().map(|time| end + 10.0 + time);
+    two.times.extend(again);
+    two.measurement.points.extend(&one.measurement.points);
+    for point in &mut two.measurement.points {
+        point.direction = None;
+    }
+    let found = fitted(&two, &free_of(&LAW));
+    let truth = with_law(one, LINE);
+    for parameter in LAW {
+        let value = found.estimate(parameter).expect("free").value;
+        let off = value / truth.get(parameter).expect("a value") - 1.0;
+        assert!(off.abs() < 0.01, "{parameter}: {off:e}");
+    }
+    let has_speed: Vec<bool> = (found.experiments[0].points.iter())
+        .map(|point| point.line_speed.is_some())
+        .collect();
+    let ends = [0..3, 177..188, 362..365];
+    for (i, has_speed) in has_speed.into_iter().enumerate() {
+        assert_eq!(has_speed, !ends.iter().any(|end| end.contains(&i)), "{i}");
     }
 }
 
@@ -441,6 +398,16 @@ fn what_a_law_needs_is_named() {
     );
     refused(|one| one.times[4] = 0.0, &LAW, "line 5; times must rise");
     refused(
+        |one| one.times[29] = f64::INFINITY,
+        &LAW,
+        "line 30; time = inf; finite",
+    );
+    refused(
+        |one| one.times[0] = f64::NEG_INFINITY,
+        &LAW,
+        "line 1; time = -inf; finite",
+    );
+    refused(
         |one| one.times.truncate(3),
         &LAW,
         "the number of times; 3; 30",
@@ -512,4 +479,7 @@ fn what_a_law_needs_is_named() {
     );
     let few = fit_all(&[read(&moved(LINE), [3, 6])], &LAW.map(Free::new));
     few.refused("usable points; 9 more lie at the ends; at least some 30 of each way");
+    let mut plan = with_law(read(&moved(LINE), [3, 6]), LINE);
+    plan.noise = Some(2e-6);
+    forecast(Table::embedded(), &[plan], &free_of(&LAW)).refused("9 more lie at the ends");
 }

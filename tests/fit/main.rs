@@ -20,6 +20,7 @@ mod layers;
 mod layers_refused;
 mod left_out;
 mod limits_of_doubts;
+mod line_doubts;
 mod line_speed;
 mod magnitudes;
 mod minima;

@@ -147,7 +147,7 @@ impl Relaxation {
     /// infinite.
     ///
     /// # Errors
-    /// As [`Relaxation::check`], also for a time that is negative or not finite.
+    /// As [`Relaxation::check`]; [`HistoryError::Contact`] for a time that is negative or not finite.
     pub fn modulus(&self, t: f64) -> Result<f64, HistoryError> {
         self.check()?;
         time_of_a_step(t)?;
@@ -210,7 +210,7 @@ impl Relaxation {
     /// That of a power law is `Gamma(1-exponent) (i omega time)^exponent`.
     ///
     /// # Errors
-    /// As [`Relaxation::check`], also unless `omega` is positive and finite.
+    /// As [`Relaxation::check`]; [`HistoryError::Contact`] unless `omega` is positive and finite.
     pub fn complex(&self, omega: f64) -> Result<[f64; 2], HistoryError> {
         self.check()?;
         let holds = omega > 0.0 && omega.is_finite();

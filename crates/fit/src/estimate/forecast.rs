@@ -127,7 +127,7 @@ pub fn forecast(
 fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
     let (points, parameters) = (problem.residual_count(), problem.slots.len());
     if points < parameters {
-        return Err(Error::too_few_points(points, parameters));
+        return Err(Assigned::too_few(&problem.assigned, parameters));
     }
     Uncertainty::of(problem).ok_or_else(|| {
         Error::NotFitted(

@@ -86,11 +86,7 @@ fn to_the_end(
     let points: usize = data.iter().map(Assigned::counting).sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
-        let unknown = |one: &Assigned| one.unknown_speeds();
-        return Err(match data.iter().map(unknown).sum() {
-            0 => Error::too_few_points(points, slots.len()),
-            unknown => Error::too_few_speeds(points, slots.len(), unknown),
-        });
+        return Err(Assigned::too_few(&data, slots.len()));
     }
     fixed_values::accept(&data, &slots, &options.known)?;
     let mut found = minimum(table, &data, (free, &slots), options.loss)?;
@@ -381,7 +377,7 @@ fn experiment(
         let fit = problem.ordinate(e, i);
         let without_film = without_film.and_then(|all| all.ordinate(e, i));
         let speed = experiment.line_speeds.get(i);
-        let speed = speed.filter(|one| counts && one.deviation.is_finite());
+        let speed = speed.filter(|one| branch.is_contact() && one.deviation.is_finite());
         let line_speed = speed.map(|one| one.speed);
         let deviation = assigned.deviation(i) * measurement.kind.scale(point.ordinate);
         FittedPoint {

@@ -28,8 +28,9 @@ pub(crate) struct AbscissaError {
     pub shift: f64,
     /// The slope of the model there.
     pub slope: f64,
-    /// From the speed of the contact line to where it most likely is, m/s, and the slope of the model over it.
+    /// The speed of the contact line where it most likely is less the one that was read, m/s.
     pub speed_shift: f64,
+    /// The slope of the model over the speed.
     pub speed_slope: f64,
 }
 
@@ -115,8 +116,18 @@ impl Experiment {
         Ok(())
     }
 
-    /// Returns what the error of the abscissa, and of the speed of the contact line, does to each point; an empty list where
-    /// both are exact.
+    /// Returns what the errors of the abscissa and of the speed of the contact line do to each point; an empty list where
+    /// adhesion does not depend on the speed and the abscissae are exact.
+    ///
+    /// With the change `c` of the model over one standard deviation `sigma_v` of the speed and the reading `r` above the
+    /// model, the speed most likely is the one read plus
+    ///
+    /// ```text
+    /// r c sigma_v/(sigma_y^2 + part_v^2 + part_a^2)
+    /// ```
+    ///
+    /// where `part_v` and `part_a` are what the errors of speed and abscissa add to the standard deviation `sigma_y` of the
+    /// ordinate. The shift is at most half of the speed.
     pub(crate) fn abscissa_errors(
         &self,
         contact_of: &ContactOf<'_>,
@@ -133,12 +144,12 @@ impl Experiment {
         errors.resize(here.len(), AbscissaError::default());
         for (i, error) in errors.iter_mut().enumerate() {
             let (line, of_speed) = (self.line_speeds[i], speeds[i]);
-            // As of a radius: at the speed read, slopes and derivatives would go with its error.
+            // At the speed that was read, slopes and derivatives would be correlated with its error, as at a radius.
             let variance = beside_speeds(i).powi(2) + error.part.powi(2);
             let shift = (self.compared(i) - here[i]) * of_speed.change / variance;
             if line.deviation > 0.0 && line.deviation.is_finite() && shift.is_finite() {
                 let far = (shift.abs() / FARTHEST).max(1.0);
-                // No line turns.
+                // The direction of the line does not change.
                 let most = 0.5 * line.speed.abs();
                 error.speed_shift = (shift / (far * far) * line.deviation).clamp(-most, most);
                 error.speed_slope = of_speed.change / line.deviation;

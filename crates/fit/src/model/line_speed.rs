@@ -16,14 +16,14 @@ use crate::statistics::{differences_of, median, range};
 const FEWEST: usize = 3;
 /// The change of the radius, in its standard deviations, over which a speed is read.
 const SPAN: f64 = 20.0;
-/// The part of the points of one way, and their number, on each side of which a speed is read at most.
+/// A speed is read from at most one in `PART` of the points of its way on each side, and from at most `MOST`.
 const PART: usize = 4;
 const MOST: usize = 1000;
-/// The part of neighbouring radii that are alike from which on radii were rounded, as to the pixels of an image, and
-/// the standard deviation of rounding over its step.
+/// The share of neighbouring radii that are equal above which radii count as rounded, as to the pixels of an image, and
+/// the standard deviation of rounding over its step, `1/sqrt(12)`.
 const ROUNDED: f64 = 0.25;
 const OF_ROUNDING: f64 = 0.289;
-/// The steps of a speed, in its standard deviations, by which its error is taken.
+/// The steps of a speed, in its standard deviations, over which the change of the model is taken.
 const STEPS: [f64; 2] = [1.0, 3.0];
 /// What a fit needs of the two numbers of the law.
 const BOTH: &str = "positive and finite: a work of adhesion that depends on the speed of the contact line has a doubling-speed \
@@ -36,14 +36,15 @@ pub struct LineSpeed {
     pub speed: f64,
     /// Its standard deviation, m/s; 0 is exact, and infinity one that is not known. A fit leaves such points out.
     pub deviation: f64,
-    /// The variance of the mean of neighbours whose speeds err alike over that of as many that do not, because they are
-    /// read from the same radii, or a cubic is not their course; 0 and 1 of speeds that err on their own.
+    /// The factor by which the variance of a mean over neighbouring points is larger than with independent errors of
+    /// their speeds: speeds read from the same radii, and from a course that is no cubic, have errors that are alike. Up to
+    /// 1, as the default 0, it stands for independent errors.
     pub alike: f64,
 }
 
 impl LineSpeed {
-    /// Returns by how much the standard deviation counts as larger, as one of neighbours that err alike, and together tell
-    /// no more than one of them.
+    /// Returns the factor of the standard deviation; with `of_mean` the one with which a mean over neighbours whose errors
+    /// are alike has its true error.
     fn together(&self, of_mean: bool) -> f64 {
         if of_mean {
             self.alike.max(1.0).sqrt()
@@ -56,9 +57,10 @@ impl LineSpeed {
 /// What the error of a speed does to a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SpeedError {
-    /// What it adds to the standard deviation of the ordinate, of a point among neighbours that err alike.
+    /// What it adds to the standard deviation of the ordinate, N or m, where the errors of neighbours are alike: larger than
+    /// that of the point alone, so that means over neighbours have their true errors.
     pub part: f64,
-    /// The same of the point alone.
+    /// What it adds to the standard deviation of the ordinate of the point alone, N or m.
     pub alone: f64,
     /// The change of the ordinate over one standard deviation of the speed.
     pub change: f64,
@@ -128,11 +130,13 @@ impl Experiment {
     /// Returns the speed of the contact line at each point: those of
     /// [`Experiment::line_speeds`], or those that the radii and the times show.
     ///
-    /// Each is the slope of a cubic through the radii of neighbours in time, as many on each side as the radius
-    /// needs to change by 20 of its standard deviations, but at most a quarter of those that go the same way, and 1000. So its
-    /// standard error is some 10 % where the line moves. The standard deviation of a radius is that which is known, or
-    /// that which neighbours show; where the radii are no cubic their residuals count, too. At the ends of a way a
-    /// slope would depend on how the radii bend: its standard deviation there is infinite.
+    /// Each is the slope of a cubic through the radii of neighbours in time: so many on each side that the radius
+    /// changes by 20 of its standard deviations, but at most a quarter of the points of the way (successive points in contact
+    /// with one direction), and at most 1000. So its
+    /// standard error is some 10 % where the line moves. The standard deviation of a radius is the known one, or
+    /// the one that neighbours show; where the radii are no cubic, [`LineSpeed::alike`] holds their residuals, too. At the
+    /// first and last three points of a way a slope would depend on how the radii bend: the standard deviation of the speed
+    /// is infinite there.
     pub(crate) fn speeds_of_line(&self) -> Cow<'_, [LineSpeed]> {
         let points = &self.measurement.points;
         if self.line_speeds.len() == points.len() || self.times.len() != points.len() {
@@ -142,7 +146,9 @@ impl Experiment {
         let in_contact: Vec<usize> = (0..points.len())
             .filter(|&i| points[i].abscissa > 0.0)
             .collect();
-        let same = |i: &usize, j: &usize| points[*i].direction == points[*j].direction;
+        // A line that has vanished between two points begins anew.
+        let same =
+            |i: &usize, j: &usize| *j == i + 1 && points[*i].direction == points[*j].direction;
         for way in in_contact.chunk_by(same) {
             self.read_speeds(way, &mut speeds);
         }
@@ -232,9 +238,9 @@ impl Experiment {
         }
     }
 
-    /// Returns what the errors of the speeds do to each ordinate, and the ordinates of the model. The part is the change of
-    /// the model over a step of the speed, by one or by three standard deviations, whichever is the larger one: the law is
-    /// steepest at rest, and a line that seems to move may rest.
+    /// Returns what the errors of the speeds do to each ordinate, and the ordinates of the model. [`SpeedError::part`] is
+    /// the change of the model per standard deviation of the speed, over steps of one or of three of them, whichever is
+    /// larger: the law is steepest at rest, and a line that seems to move may rest.
     pub(super) fn errors_of_line_speeds(
         &self,
         contact_of: &ContactOf<'_>,
@@ -335,7 +341,8 @@ fn speed(times: &[f64], radii: &[f64], at: f64, deviation: f64) -> LineSpeed {
     let squares = pairs.map(|(row, radius)| (radius - row.dot(&cubic)).powi(2));
     let residual = squares.sum::<f64>() / (count - right.len() as f64);
     let noise = deviation * deviation;
-    // A course that is no cubic errs alike at all points, and where the speed most likely is follows from the noise alone.
+    // A course that is no cubic gives all points of the window nearly one error. It counts in `alike` alone, because where
+    // the speed most likely is follows from the noise of the radii.
     let variance = noise + count * (residual - noise).max(0.0);
     let own = if noise > 0.0 { noise } else { variance };
     LineSpeed {

@@ -59,7 +59,7 @@ pub enum Parameter {
     /// The speed `v0` (m/s) of the contact line at which the energy release rate is twice the work of adhesion where the
     /// line recedes, and half of it where it advances: see [`contact::RateDependent`].
     DoublingSpeed,
-    /// The exponent `n` of the speed of the contact line, as of [`contact::RateDependent`].
+    /// The exponent `n` of the speed of the contact line, dimensionless: see [`contact::RateDependent`].
     SpeedExponent,
     /// What a load reads without a force, N.
     LoadOffset,

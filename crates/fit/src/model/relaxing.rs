@@ -133,7 +133,7 @@ impl Experiment {
         Ok(())
     }
 
-    /// Accepts times of the points that rise.
+    /// Accepts times of the points that are finite and rise.
     pub(super) fn accept_times(&self) -> Result<(), Error> {
         let Measurement {
             name,
@@ -143,6 +143,11 @@ impl Experiment {
         } = &self.measurement;
         if self.times.is_empty() {
             return Err(Error::NoTimes(name.clone()));
+        }
+        for (&time, point) in self.times.iter().zip(points) {
+            if time.is_infinite() {
+                return Err(self.refused(point.line, "time", time, "finite"));
+            }
         }
         for (i, pair) in self.times.windows(2).enumerate() {
             if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {

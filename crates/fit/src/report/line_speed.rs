@@ -20,8 +20,8 @@ pub struct LinePlot {
 /// experiment.
 ///
 /// # Errors
-/// [`Error::NotFitted`] where adhesion does not depend on the speed; [`Error::Contact`] for a law that is none, as where the
-/// receding work of adhesion is the smaller one.
+/// [`Error::NotFitted`] where adhesion does not depend on the speed; [`Error::Contact`] for numbers that
+/// [`RateDependent`] does not take, as where the receding work of adhesion is the smaller one.
 ///
 /// # Panics
 /// If the fit has no experiment of this `number`.
@@ -35,7 +35,8 @@ pub fn line_plot(fit: &Fit, experiment: &Experiment, number: usize) -> Result<Li
         found.map(|one| one.value).or(experiment.get(parameter))
     };
     let [Some(v0), Some(n)] = Parameter::OF_LINE.map(value) else {
-        let reason = "its adhesion does not depend on the speed of the contact line: fit it so, to see the law";
+        let reason = "its adhesion does not depend on the speed of the contact line: free the doubling-speed and the speed-exponent, or \
+             give them, to see the law";
         return Err(experiment.not_fitted(reason));
     };
     let [advancing, receding] = Parameter::WORKS.map(value);

@@ -147,6 +147,9 @@ pub fn given(estimate: &Estimate, asked: &[UnitOf]) -> String {
 pub fn three_digits(value: f64, unit: &str) -> String {
     let (unit, size) = scaled(unit, value);
     let number = value / size;
+    if value == 0.0 {
+        return format!("0 {unit}");
+    }
     if number < 1e-3 {
         return format!("{value:.2e} {unit}");
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -302,9 +303,9 @@ def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]
 def told_apart(given: Experiment | Iterable[Experiment]) -> list[Experiment]:
     """Return experiments that messages tell apart: those of one name with their numbers."""
     experiments = experiments_of(given)
-    names = [one.name for one in experiments]
+    counts = Counter(one.name for one in experiments)
     return [
-        one if names.count(one.name) == 1 else replace(one, name=f"{one.name} {i}")
+        one if counts[one.name] == 1 else replace(one, name=f"{one.name} {i}")
         for i, one in enumerate(experiments)
     ]
 

@@ -19,7 +19,7 @@ pub(super) const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE]
 pub(super) const RETRACT: Colour = VERMILION;
 
 /// The most points in use, and the most of the others, that are drawn of an experiment: more cannot be told apart.
-const MOST: usize = 1500;
+pub(super) const MOST: usize = 1500;
 
 /// The most points that are drawn large.
 const MOST_LARGE: usize = 100;

@@ -158,8 +158,17 @@ impl Assigned {
         (apart > APART * self.seen_noise()).then_some(levels)
     }
 
+    /// Makes the error of experiments that have too few points for this number of `parameters`.
+    pub fn too_few(all: &[Self], parameters: usize) -> Error {
+        let points = all.iter().map(Self::counting).sum();
+        match all.iter().map(Self::unknown_speeds).sum() {
+            0 => Error::too_few_points(points, parameters),
+            unknown => Error::too_few_speeds(points, parameters, unknown),
+        }
+    }
+
     /// Returns the number of points that are left out because the speed of the contact line is not known there.
-    pub fn unknown_speeds(&self) -> usize {
+    fn unknown_speeds(&self) -> usize {
         let points = 0..self.branches.len();
         let is_unknown = |i: &usize| {
             self.branches[*i] == Branch::LeftOut && self.experiment.is_speed_unknown(*i)

@@ -14,7 +14,7 @@ use super::hold;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, LineSpeed, Warning, WarningKind};
+use crate::{Branch, Experiment, Kind, Warning, WarningKind};
 
 /// The load at which the penetrations of loading and unloading are compared for what remains, over
 /// the largest load: the smallest that both reach, at least the first and at most the second.
@@ -171,7 +171,6 @@ fn samples(
             }
         }
     }
-    let speeds = experiment.speeds_of_line();
     let predicted = if at_radii {
         Vec::new()
     } else {
@@ -183,8 +182,7 @@ fn samples(
         if at_radii && branches[i] == Branch::LeftOut {
             None
         } else if at_radii {
-            let speed = speeds.get(i).copied().unwrap_or_default();
-            at_radius(experiment, &contact, i, (branches[i], speed))
+            at_radius(experiment, &contact, i, branches[i])
         } else {
             let point = &points[i];
             let load = point.ordinate - experiment.baseline_at(point.abscissa) - level;
@@ -222,11 +220,12 @@ fn at_radius(
     experiment: &Experiment,
     contact: &Contact,
     i: usize,
-    (branch, line): (Branch, LineSpeed),
+    branch: Branch,
 ) -> Option<Sample> {
-    if experiment.has_line_law() && line.deviation.is_infinite() {
+    if experiment.is_speed_unknown(i) {
         return None;
     }
+    let line = experiment.line_speeds.get(i).copied().unwrap_or_default();
     let (work, _) = experiment.work_at(branch, line.speed).ok()?;
     let point = &experiment.measurement.points[i];
     let a = point.abscissa;

@@ -1,8 +1,8 @@
 //! The doubt that adhesion follows another law of the speed of the contact line than the one fitted.
 //!
-//! Neighbours read their speeds from the same radii, so that their residuals are alike and do not tell whether the model
-//! holds. What tells is whether the work of adhesion would be another one in a range of the speeds: Rao's score test of a
-//! work of adhesion of its own for each of some ranges of both ways.
+//! Speeds of neighbours are read from the same radii, so that residuals are alike and do not tell whether the model
+//! holds. Rao's score test does: of a work of adhesion of its own for each of up to four ranges of the speed of a line
+//! that advances, and of one that recedes.
 
 use nalgebra::DVector;
 
@@ -10,12 +10,12 @@ use super::wanted::{Score, column};
 use crate::statistics::excess;
 use crate::{Parameter, Warning, WarningKind};
 
-/// The most ranges of the speeds of one way, and the fewest points in one.
+/// The most ranges of the speed of a line that advances, and of one that recedes; and the fewest points in a range.
 const RANGES: usize = 4;
 const FEWEST: usize = 5;
-/// The standard deviations of its speed from which on a line moves.
+/// The size of a speed, in its standard deviations, from which on the line counts as moving.
 const MOVES: f64 = 3.0;
-/// The part of a column that is left without the others, below which it tells nothing of its own.
+/// The share of a column's norm that is no combination of the other columns, below which the column is not counted.
 const LEFT: f64 = 0.2;
 /// The excess of the gain from which on the law is doubted, in standard deviations. Of 312 sound fits of 80 to 3700 points one
 /// is beyond it.
@@ -55,18 +55,20 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
         .filter_map(|work| column(score.problem, e, work, |_| true))
         .collect();
     let rows = &score.problem.rows_of_experiments()[e];
+    let mut row_of = vec![0; own.branches.len()];
+    for (row, i) in rows.clone().zip(own.counting_points()) {
+        row_of[i] = row;
+    }
     let of_range = |range: &Vec<usize>| {
         let mut column = DVector::zeros(score.residuals.len());
-        for (row, i) in rows.clone().zip(own.counting_points()) {
-            if range.contains(&i) {
-                column[row] = works.iter().map(|work| work[row]).sum();
-            }
+        for row in range.iter().map(|&i| row_of[i]) {
+            column[row] = works.iter().map(|work| work[row]).sum();
         }
         column
     };
     let columns: Vec<DVector<f64>> = ranges.iter().map(of_range).collect();
     let (chi_squared, freedom) = joint_gain(score, &columns);
-    // Neighbours that are alike make the variance less than 1, but that of the mean of a range is as it is given.
+    // Residuals of neighbours that are alike have a variance below 1, but the mean over a range has the stated one.
     let significance = score.significance(chi_squared).min(chi_squared);
     if freedom == 0 || excess(significance, freedom as f64) <= DOUBTED {
         return None;

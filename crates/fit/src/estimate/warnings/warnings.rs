@@ -35,7 +35,7 @@ use crate::{
 
 /// The distance of a number from the end of what is possible at which it is there.
 const NEAR_END: f64 = 1e-3;
-/// The exponent of the speed of a contact line below which a factor of the speed of ten changes adhesion by less than 13 %.
+/// The exponent of the speed of a contact line below which adhesion changes by less than 13 % at ten times the speed.
 const NO_EXPONENT: f64 = 0.05;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;

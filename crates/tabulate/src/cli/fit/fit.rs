@@ -180,7 +180,7 @@ pub struct Arguments {
     ///
     /// {"created_by": program and version, "command", "read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "line_speed": [least, most] in m/s with a free doubling-speed, "loss": {"angle", "tangent", "stderr"} where
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "line_speed": [least, most] in m/s with a doubling-speed, "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
@@ -379,20 +379,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ));
     }
     arguments.reference.check(&free)?;
-    // A tilt that is fitted is none to doubt, and cycles in time are one course of the contact line.
-    let answered = [
-        (Parameter::BaselineSlope, DoubtKind::Tilt),
-        (Parameter::DoublingSpeed, DoubtKind::Curves),
-    ];
-    for (parameter, kind) in answered {
-        if parameters.contains(&parameter) {
-            let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
-            lists.for_each(|doubts| doubts.retain(|doubt: &Doubt| doubt.kind != kind));
-        }
-    }
     let quantities = values.iter().map(|set| set.quantity);
     let quantities = quantities.chain(arguments.given.iter().map(|one| one.quantity));
     let set: Vec<Parameter> = quantities.filter_map(Fixed::parameter).collect();
+    // A tilt that is fitted is none to doubt, and cycles in time are one course of the contact line.
+    let speed = Parameter::DoublingSpeed;
+    let answered = [
+        (
+            parameters.contains(&Parameter::BaselineSlope),
+            DoubtKind::Tilt,
+        ),
+        (
+            parameters.contains(&speed) || set.contains(&speed),
+            DoubtKind::Curves,
+        ),
+    ];
+    for (_, kind) in answered.into_iter().filter(|(is_answered, _)| *is_answered) {
+        let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
+        lists.for_each(|doubts| doubts.retain(|doubt: &Doubt| doubt.kind != kind));
+    }
     arguments
         .known
         .relaxing

@@ -78,6 +78,13 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
              load, and --only retract --free film-modulus,contact-point",
         ),
     ];
+    // Each once, though each file may have its own.
+    let mut found: Vec<Parameter> = Vec::new();
+    for one in &fit.estimates {
+        if !found.contains(&one.parameter) {
+            found.push(one.parameter);
+        }
+    }
     // A film that relaxes makes loops, and its law is named in the warning.
     let relaxes = fit.experiments.iter().any(|one| one.relaxation.is_some());
     let is_loop = |kind: WarningKind| kind == WarningKind::Hysteresis;
@@ -88,7 +95,9 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let may_relax = applies(WarningKind::Relaxes) || applies(WarningKind::Hysteresis) && timed();
     let kinds = [WarningKind::Hysteresis, WarningKind::MixedBranches];
     let has_loop = kinds.into_iter().any(applies);
-    let depends = has_loop && experiments.iter().any(Experiment::may_have_line_law);
+    let depends = has_loop
+        && !found.contains(&Parameter::DoublingSpeed)
+        && experiments.iter().any(Experiment::may_have_line_law);
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
@@ -101,13 +110,6 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         "a force that acts before the contact (a brush, charges, the liquid): --between keeps the positions where it is small \
          beside the load; with contact-point and baseline free, does the modulus change?",
     ));
-    // Each once, though each file may have its own.
-    let mut found: Vec<Parameter> = Vec::new();
-    for one in &fit.estimates {
-        if !found.contains(&one.parameter) {
-            found.push(one.parameter);
-        }
-    }
     let wanted = format!(
         "to fit a zero that a warning names, write its name in place of NAME: --free {},NAME",
         Parameter::names(found).replace(", ", ",")

@@ -19,8 +19,8 @@ pub struct PictureArguments {
     plot: Option<PathBuf>,
     /// What --plot draws: the data as they were measured with their residuals, or the reduced JKR
     /// plot of loads at contact radii, load/(sqrt(6 pi) a^(3/2)) against a^(3/2)/(sqrt(pi) R), in
-    /// which a contact without a film is a straight line; or the energy release rate over the speed of the contact line, with
-    /// the doubling-speed that was found
+    /// which a contact without a film is a straight line; or, with a doubling-speed, the energy release rate over the speed of
+    /// the contact line
     #[arg(long, value_name = "KIND", default_value = "data", requires = "plot", value_parser = one_of([
         ("data", PlotKind::Data),
         ("jkr", PlotKind::Jkr),
