@@ -298,7 +298,7 @@ impl Experiment {
 
     /// Returns the work of adhesion of a branch at a `speed` of the contact line, and its derivative with respect to a
     /// parameter that moves it.
-    pub(crate) fn work_at(
+    pub(super) fn work_at(
         &self,
         branch: Branch,
         speed: f64,

@@ -48,7 +48,8 @@ struct Sample {
 pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
-    if experiment.bodies.probe.is_flat_punch() {
+    // A law of the speed makes a loop of its own, and has a doubt of its own.
+    if experiment.bodies.probe.is_flat_punch() || experiment.has_line_law() {
         return None;
     }
     let Some(ways) = experiment.ways() else {
@@ -73,11 +74,6 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let two_works = experiment.work_of_adhesion_receding.is_some();
     let loop_of_model = if experiment.relaxing.is_some() {
         Some(("the fitted relaxation function", "fit another one"))
-    } else if experiment.has_line_law() {
-        Some((
-            "the adhesion that depends on the speed of the contact line",
-            "free the work of adhesion of retract (work-of-adhesion-receding) beside it, or fit one direction alone",
-        ))
     } else if two_works && cycle.energy < 0.0 {
         Some((
             "the two works of adhesion",
@@ -222,11 +218,6 @@ fn at_radius(
     i: usize,
     branch: Branch,
 ) -> Option<Sample> {
-    if experiment.is_speed_unknown(i) {
-        return None;
-    }
-    let line = experiment.line_speeds.get(i).copied().unwrap_or_default();
-    let (work, _) = experiment.work_at(branch, line.speed).ok()?;
     let point = &experiment.measurement.points[i];
     let a = point.abscissa;
     let (load0, penetration0) = contact.load_and_penetration(a, 0.0).ok()?;
@@ -239,7 +230,7 @@ fn at_radius(
     };
     Some(Sample {
         x: PI * a * a,
-        excess: work - experiment.measured_energy(contact, point).ok()?,
+        excess: experiment.work_of(branch) - experiment.measured_energy(contact, point).ok()?,
         load,
         penetration,
         position: a,

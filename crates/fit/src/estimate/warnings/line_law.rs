@@ -89,8 +89,8 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
     let doubt = WarningKind::PoorFit.with(format!(
         "{}: adhesion does not follow this law of the speed of the contact line: with a work of adhesion of its own in each of \
          {} ranges of the speed, chi^2 would be lower by {chi_squared:.0}, most where the line {way} with {:.1e} to {:.1e} m/s, \
-         where it would be {:.0} % {}. Values may be wrong by far more than their standard errors. Fit each direction alone, \
-         which shows whether the law holds in both; and check the zero and the drift of the load, and that loads and radii are \
+         where it would be {:.0} % {}. Values may be wrong by far more than their standard errors. Fit the \
+         retract alone, which does not rest on the law of a line that advances; and check the zero and the drift of the load, and that loads and radii are \
          of the same times",
         experiment.measurement.name,
         ranges.len(),
