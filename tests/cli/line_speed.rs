@@ -28,10 +28,10 @@ fn a_loop_in_time_asks_for_the_law_and_the_law_is_found_with_its_speeds() {
         "fit rubber.csv {RUBBER} {noise} --free film-modulus,work-of-adhesion"
     ));
     assert_names(&without.stdout, "--free ...,doubling-speed,speed-exponent");
-    // Where the law is free already, and does not make the loop, it is no next step.
+    // Where the law is free already, and does not describe the data, it is no next step.
     let bounds = "--bounds doubling-speed=1mm/s..1m/s";
     let slow = workdir.answer(format!("fit rubber.csv {RUBBER} {noise} {LAW} {bounds}"));
-    assert_names(&slow.stdout, "loading and unloading that differ");
+    assert_names(&slow.stdout, "does not describe the data");
     assert!(
         !slow.stdout.contains("--free ...,doubling-speed"),
         "{}",
