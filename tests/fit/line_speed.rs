@@ -112,7 +112,7 @@ fn the_law_of_a_line_that_moves_is_found_from_radii_and_loads() {
         for parameter in LAW {
             let value = found.estimate(parameter).expect("free").value;
             let off = value / truth.get(parameter).expect("a value") - 1.0;
-            assert!(off.abs() < 0.01, "{law:?}, {parameter}: {off:e}");
+            assert!(off.abs() < 2e-3, "{law:?}, {parameter}: {off:e}");
         }
     }
 }
@@ -242,7 +242,7 @@ fn points_without_a_direction_have_the_speeds_of_both_ways() {
     let [one, other] = [exact, without].map(|one| fitted(&one, &free_of(&LAW)));
     for (one, other) in one.estimates.iter().zip(&other.estimates) {
         let off = other.value / one.value - 1.0;
-        assert!(off.abs() < 5e-3, "{}: {off:e}", one.parameter);
+        assert!(off.abs() < 1e-3, "{}: {off:e}", one.parameter);
     }
 }
 
@@ -271,7 +271,7 @@ fn a_line_that_vanishes_has_no_speed_until_it_is_there_again() {
     for parameter in LAW {
         let value = found.estimate(parameter).expect("free").value;
         let off = value / truth.get(parameter).expect("a value") - 1.0;
-        assert!(off.abs() < 0.01, "{parameter}: {off:e}");
+        assert!(off.abs() < 2e-3, "{parameter}: {off:e}");
     }
     let has_speed: Vec<bool> = (found.experiments[0].points.iter())
         .map(|point| point.line_speed.is_some())
@@ -302,7 +302,7 @@ fn speeds_that_are_given_are_taken() {
     let energy = law.energy_release_rate(3e-6).expect("finite");
     for (point, load) in exact.measurement.points.iter().zip(predictions.ordinates) {
         let expected = contact.load(point.abscissa, energy).expect("in the table");
-        assert!((load / expected - 1.0).abs() < 1e-12, "{load:e}");
+        assert_eq!(load, expected);
     }
 }
 

@@ -81,8 +81,8 @@ pub enum Error {
     },
     /// Points without times, which the forces need.
     #[error(
-        "{0}: its points have no times, on which the forces of bodies that relax, and adhesion that depends on the speed of the contact line, depend: give \
-         each point its time"
+        "{0}: its points have no times, on which the forces of bodies that relax, and adhesion that depends on the speed of \
+         the contact line, depend: give each point its time"
     )]
     NoTimes(String),
     /// A stack that relaxes, between bodies that deform and do not.

@@ -307,6 +307,7 @@ mod tests {
             ("ms", Dimension::Time, 1e-3),
             ("min", Dimension::Time, 60.0),
             ("h", Dimension::Time, 3600.0),
+            ("um/s", Dimension::Speed, 1e-6),
             ("g", Dimension::Force, 9.80665e-3),
             ("mg", Dimension::Force, 9.80665e-6),
             ("kgf", Dimension::Force, 9.80665),

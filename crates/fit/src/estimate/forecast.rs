@@ -82,6 +82,7 @@ pub fn forecast(
         }
         let contact = experiment.bodies.contact(table, &[])?;
         let (mut branches, order) = experiment.branches_of_model(&contact)?;
+        experiment.keep_line_speeds();
         experiment.leave_out_unknown_speeds(&mut branches);
         assigned.push(Assigned::new(experiment, (branches, order, None)));
     }

@@ -47,6 +47,18 @@ impl Fit {
             .find(|estimate| estimate.parameter == parameter)
     }
 
+    /// Returns the value of a parameter of the experiment `number`, if the fit finds it.
+    pub(crate) fn value_of(
+        estimates: &[Estimate],
+        parameter: Parameter,
+        number: usize,
+    ) -> Option<f64> {
+        let own = |one: &&Estimate| {
+            one.parameter == parameter && one.experiment.is_none_or(|i| i == number)
+        };
+        estimates.iter().find(own).map(|one| one.value)
+    }
+
     /// Tells whether the values are more than those of a last step: a minimum, or the end of the contacts that are known.
     pub fn found_values(&self) -> bool {
         self.converged || self.warns_of(WarningKind::EndOfTable)

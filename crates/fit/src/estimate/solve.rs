@@ -274,6 +274,7 @@ pub(crate) fn prepare(
             let reason = "its work of adhesion is 0: give one, or free it";
             return Err(experiment.not_applicable(Parameter::DoublingSpeed, reason));
         }
+        experiment.keep_line_speeds();
         let assignment = experiment.assign(is_free)?;
         assigned.push(Assigned::new(experiment, assignment));
     }

@@ -69,6 +69,11 @@ impl Experiment {
         median(self.errors.abscissa.clone())
     }
 
+    /// Tells whether no abscissa has an error that is known.
+    pub(crate) fn has_exact_abscissae(&self) -> bool {
+        self.abscissa_noise == 0.0 && self.errors.abscissa.is_empty()
+    }
+
     /// Returns the standard deviation of the abscissa of a point.
     pub(crate) fn abscissa_deviation(&self, i: usize) -> f64 {
         self.errors
@@ -177,7 +182,7 @@ impl Experiment {
         order: &[usize],
         noise: impl Fn(usize) -> f64,
     ) -> Result<Vec<AbscissaError>, Error> {
-        if self.abscissa_noise == 0.0 && self.errors.abscissa.is_empty() {
+        if self.has_exact_abscissae() {
             return Ok(Vec::new());
         }
         let points = &self.measurement.points;

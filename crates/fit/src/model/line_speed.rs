@@ -43,14 +43,9 @@ pub struct LineSpeed {
 }
 
 impl LineSpeed {
-    /// Returns the factor of the standard deviation; with `of_mean` the one with which a mean over neighbours whose errors
-    /// are alike has its true error.
-    fn together(&self, of_mean: bool) -> f64 {
-        if of_mean {
-            self.alike.max(1.0).sqrt()
-        } else {
-            1.0
-        }
+    /// Returns the standard deviation with which a mean over neighbours whose errors are alike has its true error.
+    fn deviation_of_mean(&self) -> f64 {
+        self.deviation * self.alike.max(1.0).sqrt()
     }
 }
 
@@ -132,8 +127,7 @@ impl Experiment {
     ///
     /// Each is the slope of a cubic through the radii of neighbours in time: so many on each side that the radius
     /// changes by 20 of its standard deviations, but at most a quarter of the points of the way (successive points in contact
-    /// with one direction), and at most 1000. So its
-    /// standard error is some 10 % where the line moves. The standard deviation of a radius is the known one, or
+    /// with one direction), and at most 1000. So its standard error is some 10 % where the line moves. The standard deviation of a radius is the known one, or
     /// the one that neighbours show; where the radii are no cubic, [`LineSpeed::alike`] holds their residuals, too. At the
     /// first and last three points of a way a slope would depend on how the radii bend: the standard deviation of the speed
     /// is infinite there.
@@ -153,6 +147,13 @@ impl Experiment {
             self.read_speeds(way, &mut speeds);
         }
         Cow::Owned(speeds)
+    }
+
+    /// Keeps the speeds that the radii show as they were read, wherever a fit then takes the points to lie.
+    pub(crate) fn keep_line_speeds(&mut self) {
+        if self.has_line_law() {
+            self.line_speeds = self.speeds_of_line().into_owned();
+        }
     }
 
     /// Reads the speeds of the points of one way.
@@ -247,36 +248,43 @@ impl Experiment {
         branches: &[Branch],
         order: &[usize],
     ) -> Result<(Vec<SpeedError>, Vec<f64>), Error> {
-        let predicted = |by: f64, of_mean: bool| {
+        let predicted = |by: f64, deviation: fn(&LineSpeed) -> f64| {
             let mut moved = self.clone();
             for one in &mut moved.line_speeds {
                 if one.deviation.is_finite() {
-                    one.speed += by * one.deviation * one.together(of_mean);
+                    one.speed += by * deviation(one);
                 }
             }
             let predicted = moved.predict_with(contact_of, branches, order, &[])?;
             Ok::<_, Error>(predicted.values)
         };
-        let here = predicted(0.0, false)?;
-        let mut errors = vec![SpeedError::default(); here.len()];
-        for of_mean in [false, true] {
+        let here = predicted(0.0, |_| 0.0)?;
+        // The part of each point, and its change over one standard deviation.
+        let changes = |deviation| {
+            let mut changes = vec![[0.0_f64; 2]; here.len()];
             for step in STEPS {
-                let [above, below] = [predicted(step, of_mean)?, predicted(-step, of_mean)?];
-                for (i, error) in errors.iter_mut().enumerate() {
-                    let change = (above[i] - here[i]).hypot(below[i] - here[i]);
-                    let part = change / (step * std::f64::consts::SQRT_2);
-                    if of_mean {
-                        error.part = error.part.max(part);
-                        continue;
-                    }
-                    error.alone = error.alone.max(part);
+                let (above, below) = (predicted(step, deviation)?, predicted(-step, deviation)?);
+                for (i, [part, change]) in changes.iter_mut().enumerate() {
+                    let size = (above[i] - here[i]).hypot(below[i] - here[i]);
+                    *part = part.max(size / (step * std::f64::consts::SQRT_2));
                     if step == STEPS[0] {
-                        error.change = 0.5 * (above[i] - below[i]);
+                        *change = 0.5 * (above[i] - below[i]);
                     }
                 }
             }
-        }
-        Ok((errors, here))
+            Ok::<_, Error>(changes)
+        };
+        let (alone, together) = (
+            changes(|line| line.deviation)?,
+            changes(LineSpeed::deviation_of_mean)?,
+        );
+        let errors = alone.into_iter().zip(together);
+        let errors = errors.map(|([alone, change], [part, _])| SpeedError {
+            part,
+            alone,
+            change,
+        });
+        Ok((errors.collect(), here))
     }
 
     /// Returns the energy release rate that a measured load or penetration at a contact radius tells, J/m^2.

@@ -49,11 +49,8 @@ pub fn jkr_plot(
         );
     };
     let offset = |estimates: &[Estimate]| {
-        let own = |one: &&Estimate| {
-            one.parameter == Parameter::LoadOffset && one.experiment.is_none_or(|i| i == number)
-        };
-        let found = estimates.iter().find(own);
-        found.map_or(experiment.load_offset, |found| found.value)
+        let found = Fit::value_of(estimates, Parameter::LoadOffset, number);
+        found.unwrap_or(experiment.load_offset)
     };
     let with_film = offset(&fit.estimates);
     let without = fit.without_film.as_ref();

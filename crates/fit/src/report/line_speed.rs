@@ -27,12 +27,8 @@ pub struct LinePlot {
 /// If the fit has no experiment of this `number`.
 pub fn line_plot(fit: &Fit, experiment: &Experiment, number: usize) -> Result<LinePlot, Error> {
     let value = |parameter: Parameter| {
-        let mut own = fit
-            .estimates
-            .iter()
-            .filter(|one| one.parameter == parameter);
-        let found = own.find(|one| one.experiment.is_none_or(|i| i == number));
-        found.map(|one| one.value).or(experiment.get(parameter))
+        let found = Fit::value_of(&fit.estimates, parameter, number);
+        found.or(experiment.get(parameter))
     };
     let [Some(v0), Some(n)] = Parameter::OF_LINE.map(value) else {
         let reason = "its adhesion does not depend on the speed of the contact line: free the doubling-speed and the speed-exponent, or \

@@ -239,7 +239,7 @@ pub(crate) fn add(
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let leverages = &uncertainty.leverages[rows];
         let experiment = &assigned.experiment;
-        if experiment.usual_noise().is_some() || experiment.usual_abscissa_noise() == 0.0 {
+        if experiment.usual_noise().is_some() || experiment.has_exact_abscissae() {
             continue;
         }
         let told = told(assigned, leverages);

@@ -25,11 +25,7 @@ pub(crate) struct Assigned {
 
 impl Assigned {
     /// Takes an experiment with the branches of its points, as a fit begins.
-    pub fn new(mut experiment: Experiment, (branches, order, local_noise): Assignment) -> Self {
-        // Those of the radii as they were read, wherever a fit takes the points to lie.
-        if experiment.has_line_law() {
-            experiment.line_speeds = experiment.speeds_of_line().into_owned();
-        }
+    pub fn new(experiment: Experiment, (branches, order, local_noise): Assignment) -> Self {
         let least = || {
             local_noise
                 .unwrap_or(0.0)

@@ -17,8 +17,8 @@ const FEWEST: usize = 5;
 const MOVES: f64 = 3.0;
 /// The share of a column's norm that is no combination of the other columns, below which the column is not counted.
 const LEFT: f64 = 0.2;
-/// The excess of the gain from which on the law is doubted, in standard deviations. Of 312 sound fits of 80 to 3700 points one
-/// is beyond it.
+/// The excess of the gain from which on the law is doubted, in standard deviations: hardly one sound fit is beyond it
+/// (`tests/fit/line_speed.rs` counts them).
 const DOUBTED: f64 = 5.0;
 
 /// The doubt that another law describes the data better.
@@ -90,8 +90,8 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
         "{}: adhesion does not follow this law of the speed of the contact line: with a work of adhesion of its own in each of \
          {} ranges of the speed, chi^2 would be lower by {chi_squared:.0}, most where the line {way} with {:.1e} to {:.1e} m/s, \
          where it would be {:.0} % {}. Values may be wrong by far more than their standard errors. Fit the \
-         retract alone, which does not rest on the law of a line that advances; and check the zero and the drift of the load, and that loads and radii are \
-         of the same times",
+         retract alone, which does not rest on the law of a line that advances; and check the zero and the drift of the load, \
+         and that loads and radii are of the same times",
         experiment.measurement.name,
         ranges.len(),
         speed(first).abs(),
