@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
+use crate::estimate::UNDETERMINED;
 use crate::statistics::range;
 use crate::{Bodies, Estimate, Experiment, Fit, Kind};
 
@@ -21,9 +22,6 @@ const WIDE: f64 = 0.5;
 const UNSEEN: [f64; 2] = [1e-2, 0.05];
 /// The smallest `a/t` above which the film hardly shows.
 const TOO_THIN: f64 = 1e3;
-
-/// The standard error over the value from which on data do not determine the value.
-const UNDETERMINED: f64 = 0.5;
 
 impl Bodies {
     /// Names what no contact has of the radius, the thickness and the moduli of the bodies, and of

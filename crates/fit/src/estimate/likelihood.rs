@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use interp::Table;
 
 use super::problem::assigned::Assigned;
-use super::problem::slot::Slot;
+use super::problem::slot::{Slot, slots_of};
 use super::solve::prepare;
 use crate::model::contacts_of;
 use crate::{Branch, Error, Experiment, Free, Parameter};
@@ -23,8 +23,6 @@ use crate::{Branch, Error, Experiment, Free, Parameter};
 pub struct Likelihood {
     assigned: Vec<Assigned>,
     slots: Vec<Slot>,
-    /// The numbers of the slots of each experiment, and their parameters.
-    columns: Vec<(Vec<usize>, Vec<Parameter>)>,
     /// The least and the largest value of each slot.
     limits: Vec<[f64; 2]>,
     /// `-sum ln(sqrt(2 pi) sigma)`.
@@ -61,12 +59,6 @@ impl Likelihood {
         for own in &mut assigned {
             own.weigh(&contacts_of(table))?;
         }
-        let of_experiment = |(e, own): (usize, &Assigned)| {
-            let is_of = |&s: &usize| slots[s].is_of(e, &own.experiment);
-            let of: Vec<usize> = (0..slots.len()).filter(is_of).collect();
-            let parameters = of.iter().map(|&s| slots[s].parameter).collect();
-            (of, parameters)
-        };
         let deviations = assigned
             .iter()
             .flat_map(|own| own.counting_points().map(|i| own.deviation(i)));
@@ -74,8 +66,7 @@ impl Likelihood {
         let constant = deviations.chain(widths).map(|one| -(TAU.sqrt() * one).ln());
         Ok(Self {
             constant: constant.sum(),
-            columns: assigned.iter().enumerate().map(of_experiment).collect(),
-            limits: slots.iter().map(|slot| limits(slot, free)).collect(),
+            limits: slots.iter().map(limits).collect(),
             assigned,
             slots,
         })
@@ -148,18 +139,19 @@ impl Likelihood {
             return None;
         }
         let mut squares = 0.0;
-        for (own, (slots, parameters)) in self.assigned.iter().zip(&self.columns) {
+        for (e, own) in self.assigned.iter().enumerate() {
+            let slots = slots_of(&self.slots, e, &own.experiment);
+            let parameters = slots.iter().map(|&slot| self.slots[slot].parameter);
+            let mut parameters: Vec<Parameter> = parameters.collect();
             let mut experiment = own.experiment.clone();
-            for (&slot, &parameter) in slots.iter().zip(parameters) {
+            for (&slot, &parameter) in slots.iter().zip(&parameters) {
                 experiment.replace(parameter, values[slot]).ok()?;
             }
-            let wanted = if gradient.is_some() {
-                &parameters[..]
-            } else {
-                &[]
-            };
+            if gradient.is_none() {
+                parameters.clear();
+            }
             let predicted = experiment
-                .predict_with(&contacts_of(table), &own.branches, &own.order, wanted)
+                .predict_with(&contacts_of(table), &own.branches, &own.order, &parameters)
                 .ok()?;
             for i in own.counting_points() {
                 let deviation = own.deviation(i);
@@ -188,16 +180,12 @@ impl Likelihood {
 }
 
 /// Returns the least and the largest value of a slot.
-fn limits(slot: &Slot, free: &[Free]) -> [f64; 2] {
-    let is_own = |one: &&Free| one.parameter == slot.parameter;
-    if let Some(bounds) = free.iter().find(is_own).and_then(|one| one.bounds) {
-        return bounds;
-    }
-    match slot.parameter {
+fn limits(slot: &Slot) -> [f64; 2] {
+    slot.bounds.unwrap_or(match slot.parameter {
         Parameter::FilmPoissonRatio => [0.0, 0.5],
         parameter if parameter.is_positive() => [f64::MIN_POSITIVE, f64::MAX],
         _ => [f64::MIN, f64::MAX],
-    }
+    })
 }
 
 /// Accepts branches for each point of each experiment.

@@ -21,6 +21,7 @@ mod without_film;
 pub use forecast::forecast;
 pub(crate) use left_out::text as left_out_text;
 pub use likelihood::Likelihood;
+pub(crate) use problem::uncertainty::UNDETERMINED;
 pub use result::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue,
     Forecast, LeftOut, LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,

@@ -79,8 +79,7 @@ pub(crate) fn without_film<'a>(
     let modulus = modulus.and_then(|parameter| {
         let with = problem.slot_of(parameter)?;
         let value = problem.value(with);
-        let uncertainty = with_film.uncertainty.as_ref()?;
-        let error = uncertainty.relative_error(with) * uncertainty.sizes[with];
+        let error = with_film.uncertainty.as_ref()?.error(with);
         // A fit that ran away does not tell its modulus.
         let without = estimates
             .iter()

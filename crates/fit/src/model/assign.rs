@@ -50,11 +50,7 @@ impl Experiment {
             let local_noise = noise_in(&(0..points.len()).collect::<Vec<_>>());
             return Ok((self.branches_in_time(), order, local_noise));
         }
-        let own_branch = |i: usize| match points[i].direction {
-            Some(Direction::Retract) => Branch::Receding,
-            _ => Branch::Advancing,
-        };
-        let mut branches: Vec<Branch> = (0..points.len()).map(own_branch).collect();
+        let mut branches: Vec<Branch> = points.iter().map(Point::branch).collect();
         let mut local_noise = noise_in(&order);
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {

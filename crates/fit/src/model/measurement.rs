@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::Branch;
+
 /// The most groups of numbers that a sentence names.
 const SHOWN: usize = 10;
 
@@ -137,6 +139,16 @@ pub struct Point {
     pub ordinate: f64,
     /// The direction, where it is known.
     pub direction: Option<Direction>,
+}
+
+impl Point {
+    /// Returns the branch of its contact: without a direction that of approach.
+    pub(crate) fn branch(&self) -> Branch {
+        match self.direction {
+            Some(Direction::Retract) => Branch::Receding,
+            _ => Branch::Advancing,
+        }
+    }
 }
 
 /// The points of one experiment, in the order in which they were measured.

@@ -129,10 +129,10 @@ impl Experiment {
         let branches = points
             .iter()
             .map(|point| {
-                let (branch, end) = match point.direction {
-                    Some(Direction::Approach) => (Branch::Advancing, None),
-                    Some(Direction::Retract) => (Branch::Receding, receding.as_ref()),
-                    None => (Branch::Advancing, advancing.as_ref()),
+                let end = match point.direction {
+                    Some(Direction::Approach) => None,
+                    Some(Direction::Retract) => receding.as_ref(),
+                    None => advancing.as_ref(),
                 };
                 let is_apart = if at_radii {
                     point.abscissa == 0.0
@@ -140,7 +140,11 @@ impl Experiment {
                     let end = end.map_or(self.contact_point, |end| end.abscissa);
                     self.sense() * (point.abscissa - end) <= 0.0
                 };
-                if is_apart { Branch::Baseline } else { branch }
+                if is_apart {
+                    Branch::Baseline
+                } else {
+                    point.branch()
+                }
             })
             .collect();
         Ok((branches, order))

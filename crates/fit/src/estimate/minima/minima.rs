@@ -1,5 +1,6 @@
 //! The minima that several starts lead to: the best one, and those that chance may have made worse.
 
+use std::ops::Range;
 use std::rc::Rc;
 
 use interp::Table;
@@ -250,10 +251,7 @@ fn rival(best: &Minimum<'_>, other: &Minimum<'_>) -> Option<Rival> {
     };
     let values = values_of(&other.problem);
     let is_apart_from = |others: &[f64]| {
-        (0..slots).any(|slot| {
-            let error = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
-            (others[slot] - values[slot]).abs() > APART * error
-        })
+        (0..slots).any(|slot| (others[slot] - values[slot]).abs() > APART * uncertainty.error(slot))
     };
     let both = [best, other].map(|minimum| minimum.problem.ending) == [Ending::Converged; 2];
     let mut known = best.rivals.iter().map(|rival| &rival.values);
@@ -296,38 +294,24 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
     if other.counting() > counts[1] {
         other = other.minimise(FEWER, COARSE);
     }
-    let [Some(of_one), Some(of_other)] = [&one, &other].map(squares) else {
+    let residuals = [&one, &other].map(Problem::weighted_residuals);
+    let [Some(ours), Some(theirs)] = residuals else {
         return f64::NAN;
     };
-    let mut excess = of_other.1 - of_one.1;
-    for (e, (ours, theirs)) in of_one.0.iter().zip(&of_other.0).enumerate() {
-        let (mut sums, mut count) = ([0.0, 0.0], 0);
-        for (ours, theirs) in ours.iter().zip(theirs) {
-            if let (Some(ours), Some(theirs)) = (ours, theirs) {
-                sums = [sums[0] + ours, sums[1] + theirs];
-                count += 1;
-            }
-        }
+    let squares = |rows: Range<usize>| {
+        [&ours, &theirs].map(|all| all.rows(rows.start, rows.len()).norm_squared())
+    };
+    // Both have the same points, and after these the priors.
+    let [of_one, of_other] = squares(one.counting()..ours.len());
+    let mut excess = of_other - of_one;
+    for (e, rows) in one.rows_of_experiments().into_iter().enumerate() {
+        let freedom = usize::max(rows.len(), one.slots.len() + 1) - one.slots.len();
+        let [of_one, of_other] = squares(rows);
         excess += if has_known_scale(&one, e) {
-            sums[1] - sums[0]
+            of_other - of_one
         } else {
-            let freedom = usize::max(count, one.slots.len() + 1) - one.slots.len();
-            freedom as f64 * (sums[1] / sums[0]).ln()
+            freedom as f64 * (of_other / of_one).ln()
         };
     }
     excess
-}
-
-/// Returns the parts of the sum of squares of each point of each experiment, `None` where it does
-/// not count, and that of the priors.
-fn squares(problem: &Problem<'_>) -> Option<(Vec<Vec<Option<f64>>>, f64)> {
-    let residuals = problem.weighted_residuals()?;
-    let mut parts = residuals.iter().map(|residual| residual * residual);
-    let points = problem.assigned.iter().map(|assigned| {
-        let branches = assigned.branches.iter();
-        let part = |branch: &Branch| (*branch != Branch::LeftOut).then(|| parts.next())?;
-        branches.map(part).collect()
-    });
-    let points = points.collect();
-    Some((points, parts.sum()))
 }

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use super::assigned::Assigned;
 use super::basin::Basin;
 use super::loss::weighted;
-use super::slot::Slot;
+use super::slot::{Slot, slots_of};
 use crate::model::{Predicted, ends_of_radii};
 use crate::statistics::LARGEST;
 use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
@@ -128,9 +128,11 @@ impl<'a> Problem<'a> {
 
     /// Returns the numbers of the slots that are of an experiment.
     pub fn slots_of(&self, experiment: usize) -> Vec<usize> {
-        let of = &self.assigned[experiment].experiment;
-        let is_of_it = |&slot: &usize| self.slots[slot].is_of(experiment, of);
-        (0..self.slots.len()).filter(is_of_it).collect()
+        slots_of(
+            &self.slots,
+            experiment,
+            &self.assigned[experiment].experiment,
+        )
     }
 
     /// Gives the experiments the present values, and predicts their points.

@@ -122,18 +122,17 @@ impl Coordinate {
 
     /// Returns the derivative of the value at a coordinate.
     pub fn slope(&self, x: f64) -> f64 {
-        match (self.bounds, self.positive) {
-            (Some(bounds), positive) => {
-                let [least, most] = bounds.map(|bound| self.scaled(bound));
-                let slope = (most - least) * 0.5 * x.cos();
-                if positive {
-                    self.value(x) * slope
-                } else {
-                    slope
-                }
-            }
-            (None, true) => self.value(x),
-            (None, false) => self.unit,
+        let slope = match self
+            .bounds
+            .map(|bounds| bounds.map(|bound| self.scaled(bound)))
+        {
+            Some([least, most]) => (most - least) * 0.5 * x.cos(),
+            None => self.unit,
+        };
+        if self.positive {
+            self.value(x) * slope
+        } else {
+            slope
         }
     }
 
@@ -148,6 +147,12 @@ impl Coordinate {
         self.bounds
             .is_some_and(|bounds| !inside.contains(&self.part(value, bounds)))
     }
+}
+
+/// Returns the numbers of the slots that are of an experiment, which has the number `e`.
+pub(crate) fn slots_of(slots: &[Slot], e: usize, experiment: &Experiment) -> Vec<usize> {
+    let is_of_it = |&slot: &usize| slots[slot].is_of(e, experiment);
+    (0..slots.len()).filter(is_of_it).collect()
 }
 
 /// Accepts what is free, and lists the values to be found. The coordinates start from the values of

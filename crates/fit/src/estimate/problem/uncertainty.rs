@@ -116,6 +116,11 @@ impl Uncertainty {
         self.covariance[(slot, slot)].sqrt()
     }
 
+    /// Returns the standard error of a value.
+    pub fn error(&self, slot: usize) -> f64 {
+        self.relative_error(slot) * self.sizes[slot]
+    }
+
     /// Returns the correlation matrix.
     pub fn correlation(&self) -> Vec<Vec<f64>> {
         let count = self.sizes.len();
@@ -188,9 +193,7 @@ pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>
         parameter: slot.parameter,
         experiment: slot.experiment,
         value: problem.value(i),
-        standard_error: uncertainty.map_or(f64::NAN, |uncertainty| {
-            uncertainty.relative_error(i) * uncertainty.sizes[i]
-        }),
+        standard_error: uncertainty.map_or(f64::NAN, |uncertainty| uncertainty.error(i)),
         profile: None,
         prior: slot.prior,
         bounds: slot.bounds,

@@ -154,17 +154,10 @@ fn samples(
     let at_radii = experiment.measurement.kind.at_radii();
     // Points that the fit leaves out are compared, too: all above the contact point.
     let mut branches = vec![Branch::LeftOut; points.len()];
-    for (way, branch) in ways.iter().zip(Branch::CONTACTS) {
-        for &i in way {
-            let in_contact = at_radii || experiment.imposed(points[i].abscissa) > 0.0;
-            if in_contact && points[i].abscissa != 0.0 {
-                let has_direction = points[i].direction.is_some();
-                branches[i] = if has_direction {
-                    branch
-                } else {
-                    Branch::Advancing
-                };
-            }
+    for &i in ways.iter().flatten() {
+        let in_contact = at_radii || experiment.imposed(points[i].abscissa) > 0.0;
+        if in_contact && points[i].abscissa != 0.0 {
+            branches[i] = points[i].branch();
         }
     }
     let predicted = if at_radii {

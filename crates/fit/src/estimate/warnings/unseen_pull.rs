@@ -39,24 +39,16 @@ pub(super) fn doubt(
     }
     // On approach the contact forms at the contact point.
     let touch = experiment.sense() * experiment.contact_point;
-    let error = of(Parameter::ContactPoint).map_or(0.0, |slot| {
-        uncertainty.sizes[slot] * uncertainty.relative_error(slot)
-    });
+    let error = of(Parameter::ContactPoint).map_or(0.0, |slot| uncertainty.error(slot));
     let ends = ends(problem, e, uncertainty, whole);
     let branch_of = |i: usize| {
         let point = &measurement.points[i];
-        let (branch, from) = match point.direction {
-            Some(Direction::Approach) => (Branch::Advancing, touch + CLEAR * error),
-            direction => {
-                let is_receding = direction == Some(Direction::Retract);
-                let branch = if is_receding {
-                    Branch::Receding
-                } else {
-                    Branch::Advancing
-                };
-                let end = ends.iter().find(|end| end.branch == branch)?;
-                (branch, end.position + end.clear)
-            }
+        let branch = point.branch();
+        let from = if point.direction == Some(Direction::Approach) {
+            touch + CLEAR * error
+        } else {
+            let end = ends.iter().find(|end| end.branch == branch)?;
+            end.position + end.clear
         };
         let is_clear = experiment.sense() * point.abscissa > from;
         (is_clear && !whole.branches[i].is_contact()).then_some(branch)

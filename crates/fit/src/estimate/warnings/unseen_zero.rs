@@ -76,10 +76,7 @@ fn tension(problem: &Problem<'_>, e: usize, uncertainty: &Uncertainty) -> Option
     let baseline = points.iter().filter(|one| one.0).map(|one| one.2);
     let baseline: Vec<f64> = baseline.collect();
     let (level, scatter, error) = match free {
-        Some(slot) => {
-            let error = uncertainty.relative_error(slot) * uncertainty.sizes[slot];
-            (zero, own.seen_noise(), error)
-        }
+        Some(slot) => (zero, own.seen_noise(), uncertainty.error(slot)),
         None if baseline.len() < FEWEST => return None,
         None => {
             let level = median(baseline.clone());
