@@ -139,20 +139,18 @@ impl Error {
         Self::NotFitted(format!("there is no {what}: give at least one"))
     }
 
-    /// The error of fewer points that count than values to be found, or as many.
-    pub(crate) fn too_few_points(points: usize, parameters: usize) -> Self {
+    /// The error of fewer points that count than values to be found, or as many. Some may be left out because the speed of
+    /// the contact line is `unknown` there.
+    pub(crate) fn too_few_points(points: usize, parameters: usize, unknown: usize) -> Self {
+        let remedy = match unknown {
+            0 => ": measure more points or free fewer parameters".to_owned(),
+            _ => format!(
+                "; {unknown} more lie at the ends of ways, where the speed of the contact line is not known: take more images, \
+                 at least some 30 of each way, or fit without doubling-speed and speed-exponent"
+            ),
+        };
         Self::NotFitted(format!(
-            "{points} usable points do not determine {parameters} parameters and their errors: measure \
-             more points or free fewer parameters"
-        ))
-    }
-
-    /// The error of too few points, of which more are left out because the speed of the contact line is not known there.
-    pub(crate) fn too_few_speeds(points: usize, parameters: usize, unknown: usize) -> Self {
-        Self::NotFitted(format!(
-            "{points} usable points do not determine {parameters} parameters and their errors; {unknown} more lie at the ends \
-             of ways, where the speed of the contact line is not known: take more images, at least some 30 of each way, or fit \
-             without doubling-speed and speed-exponent"
+            "{points} usable points do not determine {parameters} parameters and their errors{remedy}"
         ))
     }
 

@@ -57,7 +57,7 @@ pub fn assign(
     }
     let kind = columns.kind()?;
     let mut pairs = Vec::new();
-    for direction in DIRECTIONS {
+    for direction in Direction::OF_POINTS {
         // Columns without a direction are all points; else each direction has its own.
         if direction.is_some() && pairs.iter().any(|pair: &Pair| pair.direction.is_none()) {
             break;
@@ -79,10 +79,6 @@ pub fn assign(
         segment: segment.map(|source| source.index),
     })
 }
-
-/// What headings can say about directions.
-const DIRECTIONS: [Option<Direction>; 3] =
-    [None, Some(Direction::Approach), Some(Direction::Retract)];
 
 /// Returns what the two columns of a kind hold: the abscissa and the ordinate.
 pub const fn roles(kind: Kind) -> [Role; 2] {
@@ -180,7 +176,7 @@ impl Columns<'_> {
 
     /// Tells whether there is a column of a role, in any direction. Which of two columns it is, is asked later.
     fn is_there(&self, role: Role) -> bool {
-        let mut directions = DIRECTIONS.into_iter();
+        let mut directions = Direction::OF_POINTS.into_iter();
         directions.any(|direction| !matches!(self.find(role, direction), Ok(None)))
     }
 

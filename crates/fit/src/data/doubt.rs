@@ -219,7 +219,7 @@ fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> 
              segments, approach or retract"
         )));
     }
-    [None, Some(Direction::Approach), Some(Direction::Retract)].into_iter().find_map(|direction| {
+    Direction::OF_POINTS.into_iter().find_map(|direction| {
         let points = points.iter().filter(|point| point.direction == direction);
         let step = points.clone().count() / ENOUGH + 1;
         let abscissae = points.map(|point| point.abscissa).step_by(step);

@@ -69,12 +69,10 @@ pub fn opposite(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
                 median(loads)
             }
         };
-        let rises = [None, Some(Direction::Approach), Some(Direction::Retract)]
-            .iter()
-            .any(|way| {
-                let before = middle(*way, most - 3.0 * reach, most - 2.0 * reach);
-                middle(*way, most - reach, most) - before > RISES * (high - low)
-            });
+        let rises = Direction::OF_POINTS.iter().any(|way| {
+            let before = middle(*way, most - 3.0 * reach, most - 2.0 * reach);
+            middle(*way, most - reach, most) - before > RISES * (high - low)
+        });
         match kind {
             _ if rises => return None,
             Kind::LoadRadius | Kind::PenetrationRadius if above < 0.0 => return None,

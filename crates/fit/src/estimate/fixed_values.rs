@@ -38,9 +38,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             }
             _ => true,
         };
-        let mut values = assigned
-            .iter()
-            .filter_map(|one| one.experiment.value_of(*quantity));
+        let experiments = assigned.iter().map(|one| &one.experiment);
+        let mut values = experiments
+            .clone()
+            .filter_map(|one| one.value_of(*quantity));
         // A body that is rigid in one measurement may not be in another.
         let finite = values.clone().find(|value| value.is_finite());
         let Some(first) = finite.or_else(|| values.next()) else {
@@ -48,8 +49,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
-        let experiments = assigned.iter().map(|one| &one.experiment);
-        let refused = if !is_apart(experiments, *quantity) {
+        let mut apart = experiments
+            .clone()
+            .map(|one| own_value(experiments.clone(), one, *quantity));
+        let refused = if apart.all(|value| value.is_none()) {
             Some(
                 "left out: the sample is of the material of the substrate; give the error of the substrate, which counts for both",
             )
@@ -109,10 +112,8 @@ pub(super) fn effects(
     let free: Vec<_> = problem.slots.iter().map(|slot| slot.parameter).collect();
     let mut quantities: Vec<Fixed> = Vec::new();
     let given = known.iter().map(|one| one.quantity);
-    let listed = problem
-        .experiments()
-        .flat_map(|one| one.fixed(&free))
-        .filter(|one| all && is_apart(problem.experiments(), *one));
+    let listed = problem.experiments().filter(|_| all);
+    let listed = listed.flat_map(|one| one.fixed(&free));
     for quantity in listed.chain(given) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -122,22 +123,8 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
-        let is_of_substrate = matches!(
-            quantity,
-            Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio
-        );
-        let of_substrate = below_layers(problem.experiments(), quantity);
-        // A reference sample of another material has no substrate.
-        let is_other = |one: &Experiment| {
-            is_of_substrate
-                && one.bodies.are_bare()
-                && of_substrate.is_some_and(|value| one.value_of(quantity) != Some(value))
-        };
-        let values = problem
-            .experiments()
-            .filter(|one| !is_other(one))
-            .filter_map(|one| one.value_of(quantity));
-        let mut values: Vec<f64> = values.collect();
+        let value_of = |one: &Experiment| own_value(problem.experiments(), one, quantity);
+        let mut values: Vec<f64> = problem.experiments().filter_map(value_of).collect();
         // One that is rigid does not change.
         let value = values.iter().copied().find(|value| value.is_finite())?;
         if values.iter().all(|own| *own == value) {
@@ -157,8 +144,7 @@ pub(super) fn effects(
             // Several measurements may have values of their own.
             let is_relative = quantity.errs_in_proportion() && value != 0.0;
             residuals_of(problem, |experiment| {
-                let own = experiment.value_of(quantity);
-                let Some(own) = own.filter(|_| !is_other(experiment)) else {
+                let Some(own) = value_of(experiment) else {
                     return Ok(());
                 };
                 let change = if is_relative { by / value * own } else { by };
@@ -176,10 +162,8 @@ pub(super) fn effects(
             (Some(above), None) => (step, one_sided(step, above)),
             (None, None) => (step, None),
         };
-        let changes = match change {
-            Some(change) => response.of(&change),
-            None => vec![f64::NAN; problem.slots.len()],
-        };
+        let unknown = || vec![f64::NAN; problem.slots.len()];
+        let changes = change.map_or_else(unknown, |change| response.of(&change));
         Some(FixedValue {
             quantity,
             value,
@@ -192,27 +176,26 @@ pub(super) fn effects(
     quantities.into_iter().filter_map(effect).collect()
 }
 
-/// Returns the value of a quantity of the bodies that are no bare sample.
-fn below_layers<'e>(
+/// Returns the value of a quantity of `one` of the experiments, if it has an effect of its own. The base of a bare sample
+/// is of the material of the substrate that others have, or else a reference.
+fn own_value<'e>(
     mut experiments: impl Iterator<Item = &'e Experiment>,
+    one: &Experiment,
     quantity: Fixed,
 ) -> Option<f64> {
-    experiments.find_map(|one| one.value_of(quantity).filter(|_| !one.bodies.are_bare()))
-}
-
-/// Tells whether a quantity has an effect of its own: one of a reference sample has where it is not that of a substrate.
-fn is_apart<'e>(
-    experiments: impl Iterator<Item = &'e Experiment> + Clone,
-    quantity: Fixed,
-) -> bool {
+    let value = one.value_of(quantity)?;
     let substrate = match quantity {
-        Fixed::ReferenceModulus => Fixed::SubstrateModulus,
-        Fixed::ReferencePoissonRatio => Fixed::SubstratePoissonRatio,
-        _ => return true,
+        Fixed::SubstrateModulus | Fixed::ReferenceModulus => Fixed::SubstrateModulus,
+        Fixed::SubstratePoissonRatio | Fixed::ReferencePoissonRatio => Fixed::SubstratePoissonRatio,
+        _ => return Some(value),
     };
-    let of_substrate = below_layers(experiments.clone(), substrate);
-    let mut samples = experiments.filter_map(|one| one.value_of(quantity));
-    of_substrate.is_some() && samples.any(|value| of_substrate != Some(value))
+    let of_others = experiments.find_map(|other| {
+        other
+            .value_of(substrate)
+            .filter(|_| !other.bodies.are_bare())
+    });
+    let is_reference = one.bodies.are_bare() && of_others.is_some_and(|other| other != value);
+    (is_reference == (quantity != substrate)).then_some(value)
 }
 
 /// Adds the errors of known values to the standard errors and the correlation.

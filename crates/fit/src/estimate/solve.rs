@@ -232,7 +232,7 @@ pub(crate) fn prepare(
         }
         experiment.accept_instrument()?;
         if experiment.measurement.points.is_empty() {
-            return Err(Error::too_few_points(0, free.len()));
+            return Err(Error::too_few_points(0, free.len(), 0));
         }
         experiment.accept_errors()?;
         let bodies = &experiment.bodies;

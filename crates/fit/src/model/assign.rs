@@ -74,7 +74,7 @@ impl Experiment {
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 let adheres = |work| is_free(work) || self.get(work).is_some_and(|w| w > 0.0);
                 if Parameter::WORKS.into_iter().any(adheres) {
-                    let level = is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline);
+                    let level = Parameter::LEVELS.into_iter().any(&is_free);
                     let slope = is_free(Parameter::BaselineSlope);
                     let baseline = self.known_baseline(noise, level || slope);
                     let slope = if slope {

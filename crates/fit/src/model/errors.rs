@@ -186,8 +186,7 @@ impl Experiment {
             return Ok(Vec::new());
         }
         let points = &self.measurement.points;
-        let kind = self.measurement.kind;
-        let is_relative = kind.at_radii() || kind.is_stiffness();
+        let is_relative = !self.measurement.kind.at_positions();
         let deviation = |i: usize| self.abscissa_deviation(i);
         // No radius, load or depth changes its sign.
         let most = |i: usize| {

@@ -92,6 +92,12 @@ named! {
     }
 }
 
+impl Direction {
+    /// What is known of the direction of a point.
+    pub(crate) const OF_POINTS: [Option<Self>; 3] =
+        [None, Some(Self::Approach), Some(Self::Retract)];
+}
+
 /// What the numbers of the points count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbering {

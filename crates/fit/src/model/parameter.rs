@@ -115,6 +115,9 @@ impl Parameter {
         Self::BaselineSlope,
     ];
 
+    /// The zeros of the load: one number where a force is measured against a position.
+    pub(crate) const LEVELS: [Self; 2] = [Self::LoadOffset, Self::Baseline];
+
     pub(crate) const WORKS: [Self; 2] = [Self::WorkOfAdhesion, Self::WorkOfAdhesionReceding];
 
     /// The numbers by which the work of adhesion depends on the speed of the contact line.

@@ -221,7 +221,7 @@ impl Experiment {
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, contact::Error> {
         let w = self.work_of(branch);
-        if w == 0.0 || self.measurement.kind.at_radii() || self.measurement.kind.is_stiffness() {
+        if w == 0.0 || !self.measurement.kind.at_positions() {
             return Ok(None);
         }
         let control = self.control();

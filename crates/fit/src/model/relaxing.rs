@@ -274,19 +274,20 @@ impl Experiment {
         if parameters.is_empty() {
             return Ok(predicted);
         }
-        let (mut of_inputs, mut of_laws) = (2, 2 + inputs.len());
-        let next = |of: &mut usize| {
-            *of += 1;
-            Some(*of - 1)
-        };
         // The column of the history that each parameter takes, and its sign.
         let sense = self.sense();
+        let place = |input: Input| inputs.iter().position(|own| *own == input);
         let taken = |parameter: Parameter| match parameter {
             Parameter::ContactPoint => (Some(0), -sense),
             Parameter::Stiffness => (Some(1), 1.0),
-            Parameter::Law(_) => (next(&mut of_laws), 1.0),
-            _ if exact && self.bodies.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
-            _ => (None, 1.0),
+            Parameter::Law(own) => {
+                let place = law.iter().position(|one| *one == own);
+                (place.map(|k| 2 + inputs.len() + k), 1.0)
+            }
+            _ => {
+                let input = self.bodies.input(parameter);
+                (input.and_then(place).map(|k| 2 + k), 1.0)
+            }
         };
         let taken: Vec<(Option<usize>, f64)> = parameters.iter().copied().map(taken).collect();
         for row in found.derivatives.chunks_exact(width) {

@@ -73,7 +73,7 @@ pub fn simulate(
         *phase += noise * normal();
     }
     let kind = made.measurement.kind;
-    let is_size = kind.at_radii() || kind.is_stiffness();
+    let is_size = !kind.at_positions();
     for i in 0..made.measurement.points.len() {
         let exact = made.measurement.points[i].abscissa;
         let read = exact + made.abscissa_deviation(i) * normal();

@@ -49,7 +49,7 @@ impl Assigned {
         let (experiment, noise) = (&self.experiment, self.noise);
         let kind = experiment.measurement.kind;
         let works = Branch::CONTACTS.map(|branch| experiment.work_of(branch));
-        if !kind.at_radii() && !kind.is_stiffness() && works == [0.0; 2] {
+        if kind.at_positions() && works == [0.0; 2] {
             experiment.take_flat_ends(&mut branches, noise, level_is_free);
         }
         branches
@@ -157,19 +157,15 @@ impl Assigned {
     /// Makes the error of experiments that have too few points for this number of `parameters`.
     pub fn too_few(all: &[Self], parameters: usize) -> Error {
         let points = all.iter().map(Self::counting).sum();
-        match all.iter().map(Self::unknown_speeds).sum() {
-            0 => Error::too_few_points(points, parameters),
-            unknown => Error::too_few_speeds(points, parameters, unknown),
-        }
-    }
-
-    /// Returns the number of points that are left out because the speed of the contact line is not known there.
-    fn unknown_speeds(&self) -> usize {
-        let points = 0..self.branches.len();
-        let is_unknown = |i: &usize| {
-            self.branches[*i] == Branch::LeftOut && self.experiment.is_speed_unknown(*i)
+        let is_unknown = |own: &Self, i: usize| {
+            own.branches[i] == Branch::LeftOut && own.experiment.is_speed_unknown(i)
         };
-        points.filter(is_unknown).count()
+        let unknown = |own: &Self| {
+            (0..own.branches.len())
+                .filter(|&i| is_unknown(own, i))
+                .count()
+        };
+        Error::too_few_points(points, parameters, all.iter().map(unknown).sum())
     }
 
     /// Returns the number of points that count.

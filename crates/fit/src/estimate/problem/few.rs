@@ -13,8 +13,7 @@ const HELD_BACK: f64 = 0.03;
 pub(crate) fn hold_back(assigned: &Assigned) -> Assigned {
     let mut assigned = assigned.clone();
     let experiment = &assigned.experiment;
-    let kind = experiment.measurement.kind;
-    if kind.at_radii() || kind.is_stiffness() {
+    if !experiment.measurement.kind.at_positions() {
         return assigned;
     }
     let points = &experiment.measurement.points;

@@ -20,7 +20,7 @@ const FAR: f64 = 15.0;
 
 /// Tells whether the level of the reading without a force is one of the parameters that `is`.
 pub(crate) fn level_is(is: IsUnknown<'_>) -> bool {
-    is(Parameter::LoadOffset) || is(Parameter::Baseline)
+    Parameter::LEVELS.into_iter().any(is)
 }
 
 /// The smallest modulus (Pa) of a homogeneous contact: far below that of any solid.

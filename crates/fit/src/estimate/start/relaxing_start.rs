@@ -81,18 +81,6 @@ pub(crate) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     }))
 }
 
-/// A law that was tried.
-struct Tried {
-    /// The sum of squares that it leaves, over that of the loads.
-    misfit: f64,
-    /// The factor of the loads, and so of the modulus, with which it leaves least.
-    factor: f64,
-    /// The values of the parameters of the law.
-    values: Vec<f64>,
-    /// The contact point, if it is another than that of the experiment.
-    contact_point: Option<(Parameter, f64)>,
-}
-
 /// Gives the experiment the law of those tried that describes the data best, with the modulus
 /// `matched` that goes with it.
 pub(crate) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
@@ -114,43 +102,43 @@ pub(crate) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
     }
     parameters.retain(|&parameter| is_unknown(parameter));
     let mut found: Vec<(Parameter, f64)> = begin(experiment, is_unknown)?.into_iter().collect();
-    let mut best: Option<Tried> = None;
-    let mut attempt = |contact_point: Option<(Parameter, f64)>| {
+    // What the law that fits best leaves of the sum of squares, the factor of the loads with which it does, and the
+    // experiment with it.
+    let mut best: Option<(f64, f64, Experiment)> = None;
+    let mut attempt = |contact_point: Option<f64>| {
         for values in candidates(experiment, &parameters) {
             let mut tried = experiment.clone();
-            let law = parameters.iter().copied().zip(values.iter().copied());
-            for (parameter, value) in law.chain(contact_point) {
+            for (&parameter, value) in parameters.iter().zip(values) {
                 tried.replace(parameter, value)?;
             }
+            tried.contact_point = contact_point.unwrap_or(tried.contact_point);
             let Some((misfit, factor)) = misfit(table, &tried, matched.is_some()) else {
                 continue;
             };
-            if best.as_ref().is_none_or(|best| misfit < best.misfit) {
-                best = Some(Tried {
-                    misfit,
-                    factor,
-                    values,
-                    contact_point,
-                });
+            if best.as_ref().is_none_or(|(least, ..)| misfit < *least) {
+                best = Some((misfit, factor, tried));
             }
         }
-        Ok::<_, Error>(best.as_ref().is_none_or(|best| best.misfit > POOR))
+        Ok::<_, Error>(best.as_ref().is_none_or(|(least, ..)| *least > POOR))
     };
     if attempt(None)? && is_unknown(Parameter::ContactPoint) {
         // Noise may hide where the contact begins.
         let turn = experiment.program().turn as f64;
         for part in PARTS {
             let point = &experiment.measurement.points[(part * turn) as usize];
-            attempt(Some((Parameter::ContactPoint, point.abscissa)))?;
+            attempt(Some(point.abscissa))?;
         }
     }
-    if let Some(best) = best {
-        found.extend(best.contact_point);
-        found.extend(parameters.into_iter().zip(best.values));
+    if let Some((_, factor, tried)) = best {
+        if tried.contact_point != experiment.contact_point {
+            parameters.push(Parameter::ContactPoint);
+        }
+        let values = parameters.iter().map(|&one| Some((one, tried.get(one)?)));
+        found.extend(values.flatten());
         if let Some(modulus) = matched
             && let Some(value) = experiment.get(modulus)
         {
-            found.push((modulus, best.factor * value));
+            found.push((modulus, factor * value));
         }
     }
     for (parameter, value) in found {
@@ -186,8 +174,7 @@ pub(crate) fn accept_zeros(
     stopped: bool,
 ) -> Result<(), Error> {
     let has_contact_point = is_free(Parameter::ContactPoint);
-    let are_free =
-        has_contact_point && (is_free(Parameter::Baseline) || is_free(Parameter::LoadOffset));
+    let are_free = has_contact_point && Parameter::LEVELS.into_iter().any(&is_free);
     let is_before = |point: &&(f64, f64)| point.1 <= 0.0;
     let before = program.points.iter().take_while(is_before).count();
     if are_free && before < FEWEST {

@@ -154,10 +154,9 @@ fn beside_neighbours(assigned: &Assigned, own: &[f64], chance: f64) -> Option<Wa
     let name = &assigned.experiment.measurement.name;
     // Neighbours are of one direction: noise that is not independent is so in time.
     let branches = [Branch::Advancing, Branch::Receding, Branch::Baseline];
-    let directions = [None, Some(Direction::Approach), Some(Direction::Retract)];
     let ways = branches
         .iter()
-        .flat_map(|branch| directions.map(|way| (*branch, way)));
+        .flat_map(|branch| Direction::OF_POINTS.map(|way| (*branch, way)));
     let of_ways = |own: &[f64]| -> Vec<Vec<f64>> {
         ways.clone()
             .map(|way| in_order(assigned, own, way))

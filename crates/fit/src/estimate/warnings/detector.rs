@@ -24,10 +24,8 @@ pub(crate) fn add(
     let local_noise = assigned.local_noise.unwrap_or(0.0);
     let [_, ordinate] = kind.names();
     let name = &fitted.name;
-    let mut readings: Vec<f64> = fitted.points.iter().map(|point| point.ordinate).collect();
-    let count = readings.len();
-    readings.sort_by(f64::total_cmp);
-    readings.dedup();
+    let count = fitted.points.len();
+    let readings = distinct(fitted.points.iter());
     if readings.len() < FEWEST {
         return false;
     }
@@ -93,12 +91,18 @@ fn repeats(fitted: &FittedExperiment, assigned: &Assigned) -> bool {
             .iter()
             .zip(&unloading)
             .filter(|(_, own)| **own == way);
-        let mut readings: Vec<f64> = own.map(|(point, _)| point.ordinate).collect();
-        let count = readings.len();
-        readings.sort_by(f64::total_cmp);
-        readings.dedup();
-        count > 0 && 2 * readings.len() <= count
+        let own = own.map(|(point, _)| point);
+        let count = own.clone().count();
+        count > 0 && 2 * distinct(own).len() <= count
     })
+}
+
+/// Returns the different readings of points, by rising size.
+fn distinct<'p>(points: impl Iterator<Item = &'p FittedPoint>) -> Vec<f64> {
+    let mut readings: Vec<f64> = points.map(|point| point.ordinate).collect();
+    readings.sort_by(f64::total_cmp);
+    readings.dedup();
+    readings
 }
 
 /// Returns by how much the fit changes over neighbouring points of a branch that all have one

@@ -25,7 +25,7 @@ pub(crate) fn doubt(assigned: &Assigned) -> Option<Warning> {
     let experiment = &assigned.experiment;
     let measurement = &experiment.measurement;
     let kind = measurement.kind;
-    if kind.at_radii() || kind.is_stiffness() || experiment.relaxing.is_some() {
+    if !kind.at_positions() || experiment.relaxing.is_some() {
         return None;
     }
     let noise = assigned.seen_noise();

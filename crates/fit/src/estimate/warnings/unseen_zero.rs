@@ -20,15 +20,12 @@ fn unseen(assigned: &Assigned) -> Option<Parameter> {
     (!assigned.branches.contains(&Branch::Baseline)).then_some(zero)
 }
 
-/// The zeros of the load: one number where a force is measured against a position.
-const LEVELS: [Parameter; 2] = [Parameter::LoadOffset, Parameter::Baseline];
-
 /// Tells whether a zero of the load that the data do not show is found beside a work of adhesion.
 pub(crate) fn is_free_beside_a_work(problem: &Problem<'_>) -> bool {
     problem.assigned.iter().enumerate().any(|(e, assigned)| {
         let found = problem.parameters_of(e);
         unseen(assigned).is_some()
-            && found.iter().any(|one| LEVELS.contains(one))
+            && found.iter().any(|one| Parameter::LEVELS.contains(one))
             && found.iter().any(|one| one.is_work_of_adhesion())
     })
 }
@@ -59,7 +56,7 @@ fn tension(problem: &Problem<'_>, e: usize, uncertainty: &Uncertainty) -> Option
         return None;
     }
     let mut slots = problem.slots_of(e).into_iter();
-    let free = slots.find(|&slot| LEVELS.contains(&problem.slots[slot].parameter));
+    let free = slots.find(|&slot| Parameter::LEVELS.contains(&problem.slots[slot].parameter));
     let zero = free.map_or(0.0, |_| experiment.baseline_at(experiment.contact_point));
     // A contact without adhesion ends where the force does.
     let predicted = &problem.predicted.as_ref()?[e];
@@ -118,7 +115,11 @@ pub(crate) fn add(
     uncertainty: &Uncertainty,
     known: &[Known],
 ) {
-    let is_known = |one: &Known| LEVELS.map(Fixed::Parameter).contains(&one.quantity);
+    let is_known = |one: &Known| {
+        Parameter::LEVELS
+            .map(Fixed::Parameter)
+            .contains(&one.quantity)
+    };
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if let Some(tension) = tension(problem, e, uncertainty) {
@@ -131,7 +132,7 @@ pub(crate) fn add(
             )));
         }
         let found = problem.parameters_of(e);
-        let is_found = found.iter().any(|one| LEVELS.contains(one));
+        let is_found = found.iter().any(|one| Parameter::LEVELS.contains(one));
         let Some(zero) = unseen(assigned).filter(|_| !is_found && !known.iter().any(is_known))
         else {
             continue;

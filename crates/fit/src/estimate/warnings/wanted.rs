@@ -70,11 +70,8 @@ pub(crate) fn add(
         };
         let zeros = Parameter::ZEROS.into_iter().filter(is_wanted);
         if let Some(other) = line_law::doubt(&score, e) {
-            let gains = zeros
-                .clone()
-                .filter_map(|zero| score.gain_of(e, zero, |_| true));
-            let of_zeros = gains.map(|(gain, _)| gain.significance).fold(0.0, f64::max);
-            let is_better = other.significance > of_zeros;
+            let of_zeros = score.largest_gain(e, zeros.clone());
+            let is_better = other.significance > score.significance(of_zeros);
             warnings.push(other.doubt);
             if is_better {
                 continue;
@@ -103,7 +100,7 @@ fn zeros_wanted(
     let name = &score.problem.assigned[e].experiment.measurement.name;
     let mut level_named = false;
     for parameter in zeros {
-        let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
+        let is_level = Parameter::LEVELS.contains(&parameter);
         if is_level && level_named {
             continue;
         }
@@ -255,6 +252,13 @@ impl<'a> Score<'a> {
         Some((self.gain(&column)?, column))
     }
 
+    /// Returns the largest decrease of the sum of squares by one of some parameters of experiment `e`; 0 where all are
+    /// fitted.
+    fn largest_gain(&self, e: usize, parameters: impl Iterator<Item = Parameter>) -> f64 {
+        let gains = parameters.filter_map(|one| self.gain_of(e, one, |_| true));
+        gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max)
+    }
+
     /// Returns the gain of a column; `None` if it is a combination of the fitted ones.
     pub fn gain(&self, column: &DVector<f64>) -> Option<Gain> {
         let rest = self.uncertainty.without_fitted(column);
@@ -326,17 +330,10 @@ impl<'a> Score<'a> {
         if !gain.is_significant() || gain.change <= 0.0 {
             return None;
         }
-        // The largest gain of a zero that is not fitted; 0 where all are.
         let of_zeros = |e: usize| {
-            let zeros = Parameter::ZEROS.into_iter();
-            let has_effect = |zero: &Parameter| {
-                let experiment = &problem.assigned[e].experiment;
-                experiment.why_without_effect(*zero).is_none()
-            };
-            let gains = zeros
-                .filter(has_effect)
-                .filter_map(|zero| self.gain_of(e, zero, |_| true));
-            gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max)
+            let experiment = &problem.assigned[e].experiment;
+            let has_effect = |zero: &Parameter| experiment.why_without_effect(*zero).is_none();
+            self.largest_gain(e, Parameter::ZEROS.into_iter().filter(has_effect))
         };
         let zeros: f64 = (0..problem.assigned.len()).map(of_zeros).sum();
         let left = |explained: f64| (self.residuals.norm_squared() - explained).max(0.0);
@@ -386,8 +383,7 @@ impl<'a> Score<'a> {
         }
         let gain = self.gain(&column)?;
         let compliance = given.map_or(0.0, f64::recip) + gain.change;
-        let gains = zeros.filter_map(|zero| self.gain_of(e, zero, |_| true));
-        let of_zeros = gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max);
+        let of_zeros = self.largest_gain(e, zeros);
         // A spring is no answer to a model that is wrong otherwise.
         let noise = (own.seen_noise() / own.noise).powi(2) * rows.len() as f64;
         let sum = self.residuals.rows(rows.start, rows.len()).norm_squared();

@@ -5,7 +5,6 @@ use std::str::FromStr;
 use ::fit::report::UnitOf;
 use ::fit::{Error, Experiment, Fixed, Free, Known, Parameter};
 use anyhow::{bail, ensure};
-use units::Dimension;
 
 use super::experiments::KnownArguments;
 use super::indentation::ReferenceArguments;
@@ -183,12 +182,10 @@ pub fn bounds(text: &str) -> Result<Pair, String> {
 pub fn prior(text: &str) -> Result<Pair, String> {
     let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
     let (parameter, known) = split(text, how)?;
-    Ok((parameter, with_error(known, parameter.dimension(), how)?))
-}
-
-fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
-    let (value, error) = parts(text, how)?;
-    Ok([quantity::value(value, dimension)?, read(error, dimension)?])
+    let (value, error) = parts(known, how)?;
+    let dimension = parameter.dimension();
+    let both = [quantity::value(value, dimension)?, read(error, dimension)?];
+    Ok((parameter, both))
 }
 
 /// Splits `VALUE+-ERROR`.
