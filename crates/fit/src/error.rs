@@ -154,6 +154,12 @@ impl Error {
         ))
     }
 
+    /// The error of a model that cannot be evaluated where the fit starts.
+    pub(crate) fn at_start(experiment: String, cause: Self) -> Self {
+        let cause = Box::new(cause);
+        Self::Start { experiment, cause }
+    }
+
     /// The error of a setting whose value is not allowed.
     pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self::Setting {

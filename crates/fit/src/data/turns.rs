@@ -1,6 +1,6 @@
 //! How often a list of numbers turns back, and whether it is in an order at all.
 
-use crate::statistics::range;
+use crate::statistics::{median, range};
 
 /// The part of the range by which the numbers go back where they turn.
 const BACK: f64 = 0.5;
@@ -15,12 +15,10 @@ pub fn turns(numbers: &[f64]) -> usize {
     if numbers.len() < NEIGHBOURS || !have_order(numbers) {
         return 0;
     }
-    let middle = |some: &[f64; NEIGHBOURS]| {
-        let mut sorted = *some;
-        sorted.sort_by(f64::total_cmp);
-        sorted[NEIGHBOURS / 2]
-    };
-    let numbers: Vec<f64> = numbers.array_windows().map(middle).collect();
+    let middles = numbers
+        .windows(NEIGHBOURS)
+        .map(|some| median(some.to_vec()));
+    let numbers: Vec<f64> = middles.collect();
     let back = BACK * range(numbers.iter().copied());
     let mut turns = 0;
     // The least and the largest number since the last turn, and whether the numbers grow.

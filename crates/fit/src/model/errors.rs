@@ -143,23 +143,23 @@ impl Experiment {
         if !self.has_line_law() {
             return self.errors_of_abscissae(contact_of, branches, order, noise);
         }
-        let (speeds, here) = self.errors_of_line_speeds(contact_of, branches, order)?;
-        let beside_speeds = |i: usize| noise(i).hypot(speeds[i].alone);
+        let (here, [alone, together]) = self.errors_of_line_speeds(contact_of, branches, order)?;
+        let beside_speeds = |i: usize| noise(i).hypot(alone[i][0]);
         let mut errors = self.errors_of_abscissae(contact_of, branches, order, beside_speeds)?;
         errors.resize(here.len(), AbscissaError::default());
         for (i, error) in errors.iter_mut().enumerate() {
-            let (line, of_speed) = (self.line_speeds[i], speeds[i]);
+            let (line, [_, by_speed]) = (self.line_speeds[i], alone[i]);
             // At the speed that was read, slopes and derivatives would be correlated with its error, as at a radius.
             let variance = beside_speeds(i).powi(2) + error.part.powi(2);
-            let shift = (self.compared(i) - here[i]) * of_speed.change / variance;
+            let shift = (self.compared(i) - here[i]) * by_speed / variance;
             if line.deviation > 0.0 && line.deviation.is_finite() && shift.is_finite() {
                 let far = (shift.abs() / FARTHEST).max(1.0);
                 // The direction of the line does not change.
                 let most = 0.5 * line.speed.abs();
                 error.speed_shift = (shift / (far * far) * line.deviation).clamp(-most, most);
-                error.speed_slope = of_speed.change / line.deviation;
+                error.speed_slope = by_speed / line.deviation;
             }
-            error.part = error.part.hypot(of_speed.part);
+            error.part = error.part.hypot(together[i][0]);
         }
         Ok(errors)
     }

@@ -49,18 +49,6 @@ impl LineSpeed {
     }
 }
 
-/// What the error of a speed does to a point.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct SpeedError {
-    /// What it adds to the standard deviation of the ordinate, N or m, where the errors of neighbours are alike: larger than
-    /// that of the point alone, so that means over neighbours have their true errors.
-    pub part: f64,
-    /// What it adds to the standard deviation of the ordinate of the point alone, N or m.
-    pub alone: f64,
-    /// The change of the ordinate over one standard deviation of the speed.
-    pub change: f64,
-}
-
 impl Experiment {
     /// Tells whether the work of adhesion depends on the speed of the contact line.
     pub(crate) const fn has_line_law(&self) -> bool {
@@ -239,15 +227,19 @@ impl Experiment {
         }
     }
 
-    /// Returns what the errors of the speeds do to each ordinate, and the ordinates of the model. [`SpeedError::part`] is
-    /// the change of the model per standard deviation of the speed, over steps of one or of three of them, whichever is
-    /// larger: the law is steepest at rest, and a line that seems to move may rest.
+    /// Returns the ordinates of the model, N or m, and what the error of its speed does to each: as that of a point alone,
+    /// and so that means over neighbours, whose errors are alike, have their true errors. The first number of each is the
+    /// part of the standard deviation of the ordinate that is due to it, and the second the change of the ordinate over one
+    /// standard deviation of the speed.
+    ///
+    /// The part is the change of the model per standard deviation of the speed, over steps of one or of three of them,
+    /// whichever is larger: the law is steepest at rest, and a line that seems to move may rest.
     pub(super) fn errors_of_line_speeds(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
-    ) -> Result<(Vec<SpeedError>, Vec<f64>), Error> {
+    ) -> Result<(Vec<f64>, [Vec<[f64; 2]>; 2]), Error> {
         let predicted = |by: f64, deviation: fn(&LineSpeed) -> f64| {
             let mut moved = self.clone();
             for one in &mut moved.line_speeds {
@@ -259,7 +251,6 @@ impl Experiment {
             Ok::<_, Error>(predicted.values)
         };
         let here = predicted(0.0, |_| 0.0)?;
-        // The part of each point, and its change over one standard deviation.
         let changes = |deviation| {
             let mut changes = vec![[0.0_f64; 2]; here.len()];
             for step in STEPS {
@@ -274,17 +265,9 @@ impl Experiment {
             }
             Ok::<_, Error>(changes)
         };
-        let (alone, together) = (
-            changes(|line| line.deviation)?,
-            changes(LineSpeed::deviation_of_mean)?,
-        );
-        let errors = alone.into_iter().zip(together);
-        let errors = errors.map(|([alone, change], [part, _])| SpeedError {
-            part,
-            alone,
-            change,
-        });
-        Ok((errors.collect(), here))
+        let alone = changes(|line| line.deviation)?;
+        let together = changes(LineSpeed::deviation_of_mean)?;
+        Ok((here, [alone, together]))
     }
 
     /// Returns the energy release rate that a measured load or penetration at a contact radius tells, J/m^2.

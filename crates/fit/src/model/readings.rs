@@ -17,10 +17,7 @@ impl Experiment {
 
     /// Returns the imposed penetration or position of the spring at an abscissa.
     pub(crate) fn imposed(&self, abscissa: f64) -> f64 {
-        match self.measurement.kind {
-            Kind::ForceHeight => self.contact_point - abscissa,
-            _ => abscissa - self.contact_point,
-        }
+        self.sense() * (abscissa - self.contact_point)
     }
 
     /// Returns the derivative of the imposed value with respect to the abscissa, 1 or -1.

@@ -238,30 +238,24 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let reason = "it has no value to start from; give one";
             experiments[e].not_applicable(one.parameter, reason)
         };
-        match one.scope {
-            Scope::Own if experiments.len() > 1 => {
-                for &e in &members {
-                    let start = start_of(e).ok_or_else(|| missing(e))?;
-                    slots.push(slot(Some(e), start));
+        let is_own = one.scope == Scope::Own && experiments.len() > 1;
+        // The experiments of each value.
+        for group in members.chunks(if is_own { 1 } else { members.len() }) {
+            let first = group[0];
+            let start = start_of(first).ok_or_else(|| missing(first))?;
+            for &e in &group[1..] {
+                let other = start_of(e).ok_or_else(|| missing(e))?;
+                if other != start {
+                    let [name, own] = [first, e].map(|i| &experiments[i].measurement.name);
+                    let name = if name == own { "the first one" } else { name };
+                    let allowed = format!(
+                        "{start:?}, that of {name}, because one value is fitted for all: give all of them one \
+                         value, or the fit one start, or fit a value for each"
+                    );
+                    return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
                 }
             }
-            _ => {
-                let first = members[0];
-                let start = start_of(first).ok_or_else(|| missing(first))?;
-                for &e in &members[1..] {
-                    let other = start_of(e).ok_or_else(|| missing(e))?;
-                    if other != start {
-                        let [name, own] = [first, e].map(|i| &experiments[i].measurement.name);
-                        let name = if name == own { "the first one" } else { name };
-                        let allowed = format!(
-                            "{start:?}, that of {name}, because one value is fitted for all: give all of them one \
-                             value, or the fit one start, or fit a value for each"
-                        );
-                        return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
-                    }
-                }
-                slots.push(slot(None, start));
-            }
+            slots.push(slot(is_own.then_some(first), start));
         }
     }
     Ok(slots)

@@ -127,15 +127,12 @@ pub(crate) fn problem<'a>(
             let exchanged = exchanged(&one.experiment).unwrap_or_default();
             return Err(one.experiment.not_fitted(format!("{exchanged}{NO_START}")));
         }
+        let largest = found.as_ref().map(|found| found.largest[0]);
         if let Variation::Thickness(part) = variation {
-            let largest = match &found {
-                Some(found) => found.largest[0],
-                None => starts.at.experiment.largest_radius(),
-            };
             let experiment = &mut starts.at.experiment;
+            let largest = largest.unwrap_or_else(|| experiment.largest_radius());
             experiment.replace(Parameter::FilmThickness, part * largest)?;
         }
-        let largest = found.as_ref().map(|found| found.largest[0]);
         let is_found = is_stiffness || found.is_some();
         match found {
             Some(found) => give_homogeneous(&mut starts, found)?,
@@ -181,10 +178,10 @@ pub(crate) fn problem<'a>(
             };
         }
     }
-    Problem::new(table, assigned.to_vec(), slots, loss).map_err(|cause| Error::Start {
-        experiment: names(assigned),
-        cause: Box::new(cause),
-    })
+    let names = assigned.iter().map(|one| &*one.experiment.measurement.name);
+    let names = names.collect::<Vec<_>>().join(", ");
+    Problem::new(table, assigned.to_vec(), slots, loss)
+        .map_err(|cause| Error::at_start(names, cause))
 }
 
 /// Returns the modulus that is matched to the data, of those without a start: of two the sphere's.
@@ -213,12 +210,6 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
         Parameter::Layer(..) => true,
         _ => is_unknown(parameter),
     }
-}
-
-/// Returns the names of the measurements.
-fn names(assigned: &[Assigned]) -> String {
-    let names = assigned.iter().map(|one| &*one.experiment.measurement.name);
-    names.collect::<Vec<_>>().join(", ")
 }
 
 /// Gives the starts that a homogeneous contact shows.
@@ -267,13 +258,9 @@ fn usual_speed(speeds: &[LineSpeed]) -> Option<f64> {
 
 /// Returns the compound modulus of sphere and film, or of sphere and half-space.
 fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
-    let contact = experiment
-        .bodies
-        .contact(table, &[])
-        .map_err(|cause| Error::Start {
-            experiment: experiment.measurement.name.clone(),
-            cause: Box::new(cause),
-        })?;
+    let name = &experiment.measurement.name;
+    let contact = experiment.bodies.contact(table, &[]);
+    let contact = contact.map_err(|cause| Error::at_start(name.clone(), cause))?;
     Ok(contact.mechanics().sphere_film_modulus())
 }
 

@@ -158,15 +158,11 @@ impl Experiment {
         let of = &self.indentation;
         let (phi, compliance) = (of.loss_tangent.atan(), of.frame_compliance);
         let series = self.series(contact_of, branches)?;
-        let read: Vec<[f64; 2]> = series
-            .iter()
-            .flatten()
-            .map(|one| one.at(phi, compliance))
-            .collect();
-        for (point, [size, phase]) in self.measurement.points.iter_mut().zip(&read) {
+        let read = series.iter().flatten().map(|one| one.at(phi, compliance));
+        for (point, [size, phase]) in self.measurement.points.iter_mut().zip(read) {
             point.ordinate = size.exp() * phase.cos();
+            self.indentation.phases.push(phase);
         }
-        self.indentation.phases = read.into_iter().map(|[_, phase]| phase).collect();
         Ok(())
     }
 

@@ -61,6 +61,14 @@ named! {
 }
 
 impl ContactDepth {
+    /// Returns the factors `f` and `e` of the form that all have, `h_c = f (h - e P/S + h0)`.
+    pub(super) const fn factors(self, epsilon: f64) -> [f64; 2] {
+        match self {
+            Self::OliverPharr => [1.0, epsilon],
+            Self::Loubet => [1.2, 1.0],
+        }
+    }
+
     /// Returns the other definition.
     pub(crate) const fn other(self) -> Self {
         match self {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use contact::{Contact, Control};
 
-use super::{ContactDepth, Indentation};
+use super::Indentation;
 use crate::{Experiment, Kind};
 
 /// The contact of a point: its radius and, where a depth tells it, its contact depth, m.
@@ -18,20 +18,14 @@ impl Indentation {
     /// Returns the contact depth (m) of the depth `h` (m) that the sample is indented, a load (N)
     /// and a stiffness (N/m).
     pub(super) fn depth_of(&self, h: f64, load: f64, stiffness: f64) -> f64 {
-        let h0 = self.tip_rounding;
-        match self.contact_depth {
-            ContactDepth::OliverPharr => h - self.epsilon * load / stiffness + h0,
-            ContactDepth::Loubet => 1.2 * (h - load / stiffness + h0),
-        }
+        let [factor, epsilon] = self.contact_depth.factors(self.epsilon);
+        factor * (h - epsilon * load / stiffness + self.tip_rounding)
     }
 
     /// Returns the depth (m) that belongs to a contact depth: the inverse of [`Self::depth_of`].
     pub(super) fn indented(&self, contact_depth: f64, load: f64, stiffness: f64) -> f64 {
-        let h0 = self.tip_rounding;
-        match self.contact_depth {
-            ContactDepth::OliverPharr => contact_depth + self.epsilon * load / stiffness - h0,
-            ContactDepth::Loubet => contact_depth / 1.2 + load / stiffness - h0,
-        }
+        let [factor, epsilon] = self.contact_depth.factors(self.epsilon);
+        contact_depth / factor + epsilon * load / stiffness - self.tip_rounding
     }
 }
 
