@@ -5,7 +5,7 @@
 //! the model: the implicit function theorem with the matrix of Gauss and Newton. A robust loss puts
 //! the derivative of its influence between the factors.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::problem::Problem;
 use super::problem::assigned::Assigned;
@@ -119,7 +119,7 @@ pub(super) fn effects(
             quantities.push(quantity);
         }
     }
-    let Some(response) = Response::new(problem, uncertainty) else {
+    let Some(response) = response(problem, uncertainty) else {
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
@@ -163,7 +163,7 @@ pub(super) fn effects(
             (None, None) => (step, None),
         };
         let unknown = || vec![f64::NAN; problem.slots.len()];
-        let changes = change.map_or_else(unknown, |change| response.of(&change));
+        let changes = change.as_ref().map_or_else(unknown, &response);
         Some(FixedValue {
             quantity,
             value,
@@ -257,47 +257,39 @@ pub(super) fn residuals_of(
     are_finite.then_some(residuals)
 }
 
-/// How the values found follow the residuals.
-struct Response {
-    /// `(J^T P J)^-1 J^T P`, with the derivatives `P` of the influence of each residual.
-    matrix: DMatrix<f64>,
-    sizes: Vec<f64>,
-}
-
-impl Response {
-    fn new(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Option<Self> {
-        let residuals = problem.plain_residuals()?;
-        let roots = residuals.map(|residual| influence(problem.loss, residual).1.max(0.0).sqrt());
-        let mut weighted = uncertainty.jacobian.clone();
-        for (mut row, root) in weighted.row_iter_mut().zip(roots.iter()) {
-            row *= *root;
-        }
-        let sizes = uncertainty.sizes.clone();
-        let mut lengths: Vec<f64> = weighted.column_iter().map(|column| column.norm()).collect();
-        for (i, slot) in problem.slots.iter().enumerate() {
-            // A value at its bound stays there.
-            if slot.coordinate.is_at_bound(problem.value(i)) || lengths[i] == 0.0 {
-                weighted.column_mut(i).fill(0.0);
-                lengths[i] = 1.0;
-            }
-            weighted.column_mut(i).unscale_mut(lengths[i]);
-        }
-        let mut matrix = svd(weighted, &uncertainty.blocks)
-            .pseudo_inverse(SINGULAR)
-            .ok()?;
-        for (mut column, root) in matrix.column_iter_mut().zip(roots.iter()) {
-            column *= *root;
-        }
-        for (mut row, length) in matrix.row_iter_mut().zip(&lengths) {
-            row /= *length;
-        }
-        Some(Self { matrix, sizes })
+/// Returns how the values found follow a change of the residuals, in SI units: by `-(J^T P J)^-1 J^T P`, with the
+/// derivatives `P` of the influence of each residual.
+fn response<'u>(
+    problem: &Problem<'_>,
+    uncertainty: &'u Uncertainty,
+) -> Option<impl Fn(&DVector<f64>) -> Vec<f64> + use<'u>> {
+    let residuals = problem.plain_residuals()?;
+    let roots = residuals.map(|residual| influence(problem.loss, residual).1.max(0.0).sqrt());
+    let mut weighted = uncertainty.jacobian.clone();
+    for (mut row, root) in weighted.row_iter_mut().zip(roots.iter()) {
+        row *= *root;
     }
-
-    /// Returns the changes of the values found that follow a change of the residuals, in SI units.
-    fn of(&self, change: &DVector<f64>) -> Vec<f64> {
-        let changes = -&self.matrix * change;
-        let changes = changes.iter().zip(&self.sizes);
+    let mut lengths: Vec<f64> = weighted.column_iter().map(|column| column.norm()).collect();
+    for (i, slot) in problem.slots.iter().enumerate() {
+        // A value at its bound stays there.
+        if slot.coordinate.is_at_bound(problem.value(i)) || lengths[i] == 0.0 {
+            weighted.column_mut(i).fill(0.0);
+            lengths[i] = 1.0;
+        }
+        weighted.column_mut(i).unscale_mut(lengths[i]);
+    }
+    let mut matrix = svd(weighted, &uncertainty.blocks)
+        .pseudo_inverse(SINGULAR)
+        .ok()?;
+    for (mut column, root) in matrix.column_iter_mut().zip(roots.iter()) {
+        column *= *root;
+    }
+    for (mut row, length) in matrix.row_iter_mut().zip(&lengths) {
+        row /= *length;
+    }
+    Some(move |change: &DVector<f64>| {
+        let changes = -&matrix * change;
+        let changes = changes.iter().zip(&uncertainty.sizes);
         changes.map(|(change, size)| change * size).collect()
-    }
+    })
 }

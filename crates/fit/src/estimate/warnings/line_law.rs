@@ -21,15 +21,9 @@ const LEFT: f64 = 0.2;
 /// (`tests/fit/line_speed.rs` counts them).
 const DOUBTED: f64 = 5.0;
 
-/// The doubt that another law describes the data better.
-pub(super) struct OtherLaw {
-    /// What other works of adhesion gain, in units of the variance of the residuals.
-    pub significance: f64,
-    pub doubt: Warning,
-}
-
-/// Returns the doubt about the law of experiment `e`, if works of adhesion of their own gain more than chance.
-pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
+/// Returns the doubt about the law of experiment `e`, if works of adhesion of their own gain more than chance, and what
+/// they gain, in units of the variance of the residuals.
+pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<(Warning, f64)> {
     let own = &score.problem.assigned[e];
     let experiment = &own.experiment;
     if !experiment.has_line_law() {
@@ -99,10 +93,7 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<OtherLaw> {
         1e2 * (most.change / work).abs(),
         if most.change > 0.0 { "larger" } else { "smaller" },
     ));
-    Some(OtherLaw {
-        significance,
-        doubt,
-    })
+    Some((doubt, significance))
 }
 
 /// Returns the points in ranges of the speed: of a line that advances, then of one that recedes, each by rising size.

@@ -69,10 +69,10 @@ pub(crate) fn add(
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
         let zeros = Parameter::ZEROS.into_iter().filter(is_wanted);
-        if let Some(other) = line_law::doubt(&score, e) {
+        if let Some((doubt, significance)) = line_law::doubt(&score, e) {
             let of_zeros = score.largest_gain(e, zeros.clone());
-            let is_better = other.significance > score.significance(of_zeros);
-            warnings.push(other.doubt);
+            let is_better = significance > score.significance(of_zeros);
+            warnings.push(doubt);
             if is_better {
                 continue;
             }
