@@ -13,6 +13,7 @@ use super::problem::blocks::svd;
 use super::problem::loss::influence;
 use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
+use super::result::each_once;
 use crate::model::contacts_of;
 use crate::{Error, Experiment, Fit, Fixed, FixedValue, Known};
 
@@ -110,15 +111,10 @@ pub(super) fn effects(
     all: bool,
 ) -> Vec<FixedValue> {
     let free: Vec<_> = problem.slots.iter().map(|slot| slot.parameter).collect();
-    let mut quantities: Vec<Fixed> = Vec::new();
     let given = known.iter().map(|one| one.quantity);
     let listed = problem.experiments().filter(|_| all);
     let listed = listed.flat_map(|one| one.fixed(&free));
-    for quantity in listed.chain(given) {
-        if !quantities.contains(&quantity) {
-            quantities.push(quantity);
-        }
-    }
+    let quantities = each_once(listed.chain(given));
     let Some(response) = response(problem, uncertainty) else {
         return Vec::new();
     };

@@ -96,6 +96,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Returns the parameters of estimates, each once.
+    pub fn parameters(estimates: &[Self]) -> Vec<Parameter> {
+        each_once(estimates.iter().map(|one| one.parameter))
+    }
+
     /// Returns Young's modulus of the sphere from this estimate of its reduced modulus, with its
     /// errors: `E2 = E2* (1 - nu2^2)`, with the Poisson ratio `nu2` taken as exact.
     pub fn young_of_sphere(&self, poisson_ratio: f64) -> Self {
@@ -330,14 +335,19 @@ pub struct Combination {
 impl Combination {
     /// Returns the words of several combinations, each once: the same parameters may change in several proportions.
     pub fn texts<'a>(combinations: impl IntoIterator<Item = &'a Self>) -> Vec<&'a str> {
-        let mut texts: Vec<&str> = Vec::new();
-        for one in combinations {
-            if !texts.contains(&&*one.text) {
-                texts.push(&one.text);
-            }
-        }
-        texts
+        each_once(combinations.into_iter().map(|one| &*one.text))
     }
+}
+
+/// Returns items, each once.
+pub(super) fn each_once<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+    let mut all = Vec::new();
+    for one in items {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
+    all
 }
 
 named! {

@@ -121,12 +121,6 @@ pub(crate) fn problem<'a>(
         };
         let needs_size = matches!(variation, Variation::Thickness(_));
         let is_needed = needs_size || unknown.clone().next().is_some();
-        // The law that fits best also tells modulus and contact point.
-        let is_relaxing = one.experiment.relaxing.is_some();
-        if !is_stiffness && !is_relaxing && found.is_none() && is_needed {
-            let exchanged = exchanged(&one.experiment).unwrap_or_default();
-            return Err(one.experiment.not_fitted(format!("{exchanged}{NO_START}")));
-        }
         let largest = found.as_ref().map(|found| found.largest[0]);
         if let Variation::Thickness(part) = variation {
             let experiment = &mut starts.at.experiment;
@@ -137,12 +131,13 @@ pub(crate) fn problem<'a>(
         match found {
             Some(found) => give_homogeneous(&mut starts, found)?,
             None if is_stiffness => indentation::give(&mut starts)?,
-            // Each has a start that was given.
+            // Each has a start that was given, or the law that fits best tells modulus and contact point.
             None => {}
         }
         relaxing_start::give(&mut starts)?;
         if !is_found && is_needed && starts.given.is_empty() {
-            return Err(one.experiment.not_fitted(NO_START));
+            let exchanged = exchanged(&one.experiment).unwrap_or_default();
+            return Err(one.experiment.not_fitted(format!("{exchanged}{NO_START}")));
         }
         if let Some((parameter, factor)) = multiplied
             && let Some(value) = starts.at.experiment.get(parameter)

@@ -1,6 +1,6 @@
 //! The flags that follow from the warnings of a fit.
 
-use ::fit::{Experiment, Fit, Kind, Parameter, WarningKind};
+use ::fit::{Estimate, Experiment, Fit, Kind, Parameter, WarningKind};
 
 /// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
 const WAYS: [&str; 2] = [
@@ -78,13 +78,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
              load, and --only retract --free film-modulus,contact-point",
         ),
     ];
-    // Each once, though each file may have its own.
-    let mut found: Vec<Parameter> = Vec::new();
-    for one in &fit.estimates {
-        if !found.contains(&one.parameter) {
-            found.push(one.parameter);
-        }
-    }
+    let found = Estimate::parameters(&fit.estimates);
     // A film that relaxes makes loops, and its law is named in the warning.
     let relaxes = fit.experiments.iter().any(|one| one.relaxation.is_some());
     let is_loop = |kind: WarningKind| kind == WarningKind::Hysteresis;

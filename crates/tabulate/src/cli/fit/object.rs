@@ -161,18 +161,12 @@ fn group(group: &LeftOut) -> Value {
 /// Returns estimates by the names of their parameters: one object, or a list with one for each of several `files` where
 /// they have their own, null for a file that has no such parameter.
 pub fn estimates(all: &[Estimate], files: usize) -> Value {
-    let mut parameters: Vec<Parameter> = Vec::new();
-    for estimate in all {
-        if !parameters.contains(&estimate.parameter) {
-            parameters.push(estimate.parameter);
-        }
-    }
     let of = |parameter: Parameter| {
         let own = all.iter().filter(|found| found.parameter == parameter);
         let objects = by_file(own.map(|found| (found.experiment, estimate(found))), files);
         (parameter.identifier(), one_or_all(objects))
     };
-    parameters.into_iter().map(of).collect()
+    Estimate::parameters(all).into_iter().map(of).collect()
 }
 
 /// Returns the objects of one parameter: one, or with null one for each file where files have their own.
