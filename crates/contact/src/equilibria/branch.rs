@@ -117,7 +117,7 @@ impl Equilibria<'_> {
             derivatives.fill(Derivatives::ZERO);
             return Ok(());
         }
-        let (w, mut gradient) = (self.energy.work_of_adhesion(), None);
+        let (w, mut gradient) = (self.energy.work_of_adhesion, None);
         let terms = self.contact.terms(a, w, &mut gradient)?;
         let unknown = |input: Input| Error::from(interp::Error::FixedParameter(input.name()));
         let by = |input: Input| terms.by_one(input).ok_or_else(|| unknown(input));
