@@ -4,7 +4,7 @@ use super::{Derivatives, Input, elastic};
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
-use crate::shape::{Shape, ShapeChange};
+use crate::shape::Shape;
 use interp::{LoadAndPenetration, MaterialParameter, Quantities, QuantityGradient};
 
 impl Contact {
@@ -214,7 +214,7 @@ impl Terms<'_> {
                 }
             }
             Shape::Punch => LoadAndPenetration::ZERO,
-            Shape::Solved(_) => self.contact.by(ShapeChange::Size, self.a).ok()?,
+            Shape::Solved(_) => self.contact.by(None, self.a).ok()?,
         };
         Some(by_size.times(1.0 / self.contact.probe().radius()?))
     }
@@ -244,7 +244,7 @@ impl Terms<'_> {
             },
             Shape::Solved(_) => {
                 let (_, slopes) = self.contact.adhesionless_and_slopes(self.a).ok()?;
-                let size = self.contact.by(ShapeChange::Size, self.a).ok()?;
+                let size = self.contact.by(None, self.a).ok()?;
                 LoadAndPenetration {
                     load: 2.0 * load - slopes.load - size.load,
                     penetration: penetration - slopes.penetration - size.penetration,
@@ -273,10 +273,7 @@ impl Terms<'_> {
                 penetration: penetration * delta0,
             },
             Shape::Solved(_) => {
-                let own = self
-                    .contact
-                    .by(ShapeChange::Material(parameter), self.a)
-                    .ok()?;
+                let own = self.contact.by(Some(parameter), self.a).ok()?;
                 LoadAndPenetration {
                     load: load * es + own.load,
                     ..own
