@@ -287,7 +287,7 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     let bound = relaxation.unlike_bodies;
     assert!(1e-4 < bound && bound < 2e-2, "{bound}");
     let soft = found(&with_base(2e4, false)).expect_err("too different");
-    assert!(matches!(soft, Error::History(_)), "{soft}");
+    assert!(matches!(soft, Error::Contact(_)), "{soft}");
     assert_names(&soft.to_string(), "relax");
     assert!(found(&with_base(2e4, true)).is_ok());
 }

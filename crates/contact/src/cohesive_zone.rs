@@ -63,8 +63,6 @@ pub struct CohesiveState {
 pub struct ShortZone<'a> {
     contact: &'a Contact,
     energy: LineEnergy,
-    /// The length of the zone `l`, m.
-    zone: f64,
     /// The traction of the attraction, Pa.
     stress: f64,
 }
@@ -117,8 +115,10 @@ impl Contact {
         }
         Ok(ShortZone {
             contact: self,
-            energy: LineEnergy::with_zone(w, zone),
-            zone,
+            energy: LineEnergy {
+                work_of_adhesion: w,
+                zone,
+            },
             stress,
         })
     }
@@ -155,7 +155,7 @@ impl Contact {
 impl ShortZone<'_> {
     /// Returns the length `l = pi Es* w/(4 sigma0^2)` of the cohesive zone, m.
     pub const fn zone(&self) -> f64 {
-        self.zone
+        self.energy.zone
     }
 
     /// Returns the state at the contact radius `a`, m.
@@ -165,13 +165,13 @@ impl ShortZone<'_> {
     /// the zone over [`CohesiveZone::LONGEST`]; [`Error::Tension`] for a contact that opens inside.
     pub fn state(&self, a: f64) -> Result<CohesiveState, Error> {
         self.contact.mechanics().check_radius(a)?;
-        short(self.zone, a, "contact radius")?;
-        let b = a + 2.0 / 3.0 * self.zone;
+        short(self.zone(), a, "contact radius")?;
+        let b = a + 2.0 / 3.0 * self.zone();
         let (load, penetration) = self.contact.load_and_penetration(b, self.energy.at(b))?;
-        bears(self.stress, load, a + self.zone)?;
+        bears(self.stress, load, a + self.zone())?;
         Ok(CohesiveState {
             contact_radius: a,
-            outer_radius: a + self.zone,
+            outer_radius: a + self.zone(),
             load,
             penetration,
         })
@@ -222,8 +222,8 @@ impl ShortZone<'_> {
 
     /// Returns the state whose crack tip has the radius `b`, m.
     fn at_tip(&self, b: f64) -> Result<CohesiveState, Error> {
-        let contact_radius = b - 2.0 / 3.0 * self.zone;
-        short(self.zone, contact_radius, "contact radius")?;
+        let contact_radius = b - 2.0 / 3.0 * self.zone();
+        short(self.zone(), contact_radius, "contact radius")?;
         self.state(contact_radius)
     }
 }

@@ -41,8 +41,7 @@ pub use equilibria::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement
 pub use error::Error;
 pub use gradient::{ContactGradient, Derivatives, Input};
 pub use history::{
-    Course, History, HistoryError, HistoryInputs, LawParameter, MeasuredHistory, Phase, Relaxation,
-    TimedContact,
+    Course, History, HistoryInputs, LawParameter, MeasuredHistory, Phase, Relaxation, TimedContact,
 };
 pub use line::{ContactLine, CrackTip, Hysteresis, RateDependent, TimedState};
 pub use measured::{FilmBias, JkrFit, JkrPoint, work_of_adhesion_at_pull_off};

@@ -7,27 +7,19 @@
 /// of line; `cohesive_zone` derives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineEnergy {
-    work_of_adhesion: f64,
-    zone: f64,
+    /// The work of adhesion `w`, J/m^2.
+    pub work_of_adhesion: f64,
+    /// The length `l` of the zone, m.
+    pub zone: f64,
 }
 
 impl LineEnergy {
     /// The energy of eq. 8, the work of adhesion `w` (J/m^2).
     pub(crate) const fn of_jkr(work_of_adhesion: f64) -> Self {
-        Self::with_zone(work_of_adhesion, 0.0)
-    }
-
-    /// The energy with the work of adhesion `w` (J/m^2) and a zone of the length `l` (m).
-    pub(crate) const fn with_zone(work_of_adhesion: f64, zone: f64) -> Self {
         Self {
             work_of_adhesion,
-            zone,
+            zone: 0.0,
         }
-    }
-
-    /// Returns the work of adhesion `w`, J/m^2.
-    pub(crate) const fn work_of_adhesion(self) -> f64 {
-        self.work_of_adhesion
     }
 
     /// Returns `G(a)`, J/m^2.
@@ -50,7 +42,11 @@ mod tests {
     #[test]
     fn the_slope_has_all_digits_at_every_radius() {
         assert_eq!(LineEnergy::of_jkr(0.04).slope_of_edge(1e-60), 0.5);
-        let slope = LineEnergy::with_zone(0.04, 1e-9).slope_of_edge(1e-60);
+        let with_zone = LineEnergy {
+            work_of_adhesion: 0.04,
+            zone: 1e-9,
+        };
+        let slope = with_zone.slope_of_edge(1e-60);
         assert!((slope / 3e-51 - 1.0).abs() < 1e-15, "{slope:e}");
     }
 }

@@ -1,7 +1,7 @@
 //! Contacts in time: the error of the loads against the time, of the integrals for one turn of the
 //! penetration and of elements for several.
 
-use contact::{Contact, Control, Course, HistoryError, Relaxation};
+use contact::{Contact, Control, Course, Error, Relaxation};
 use interp::{Elastic, Probe, System, Table};
 use serde::{Deserialize, Serialize};
 
@@ -69,7 +69,7 @@ fn laws() -> [(&'static str, Relaxation); 3] {
 }
 
 /// Returns the contact of a rigid probe of 10 um on an incompressible film of 5 um, whose histories are timed.
-pub(crate) fn contact_on_gel() -> Result<Contact, contact::Error> {
+pub(crate) fn contact_on_gel() -> Result<Contact, Error> {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-5 },
         sphere_modulus: f64::INFINITY,
@@ -84,7 +84,7 @@ pub(crate) fn contact_on_gel() -> Result<Contact, contact::Error> {
 ///
 /// # Errors
 /// None for these contacts.
-pub fn measure(timing: Timing) -> Result<Vec<Row>, HistoryError> {
+pub fn measure(timing: Timing) -> Result<Vec<Row>, Error> {
     let contact = contact_on_gel()?;
     let once = |t: f64| 1e-6 * (1.0 - (t - 1.0).abs());
     let twice = |t: f64| 1e-6 * (1.0 - (t % 1.0 - 0.5).abs() * 2.2);

@@ -108,9 +108,6 @@ pub enum Error {
         /// The time of the point before it, s.
         before: f64,
     },
-    /// A contact in time that cannot be computed.
-    #[error(transparent)]
-    History(#[from] contact::HistoryError),
     /// A contact on a stack of layers that cannot be computed.
     #[error(transparent)]
     Layers(#[from] solve::Error),

@@ -1,12 +1,12 @@
 //! Contacts in time where the bodies relax.
 
-use ::contact::{Course, HistoryError, Hysteresis, Relaxation};
+use ::contact::{Course, Error, Hysteresis, Relaxation};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::arrays::{Output, columns};
 use crate::contact::{Contact, Imposed, control, numbers};
-use crate::error::{Failure, OrRaise as _, unknown};
+use crate::error::{OrRaise as _, unknown};
 
 /// A law: its name, relaxed fraction, exponent, times (s) and weights.
 pub type LawNumbers = (String, f64, f64, Vec<f64>, Vec<f64>);
@@ -35,15 +35,6 @@ pub fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Re
         },
         other => return Err(unknown("law", other)),
     })
-}
-
-impl From<HistoryError> for Failure {
-    fn from(error: HistoryError) -> Self {
-        match error {
-            HistoryError::Contact(error) => error.into(),
-            error => Self::new("InputError", &error),
-        }
-    }
 }
 
 /// Accepts a law.
@@ -97,7 +88,7 @@ pub fn history<'py>(
     let contact = &contact.get().contact;
     let rigid = rigid.map(|rigid| &rigid.get().contact);
     let program: Vec<(f64, f64)> = time.into_iter().zip(value).collect();
-    let follow = || -> Result<Course, HistoryError> {
+    let follow = || -> Result<Course, Error> {
         let mut own = contact.history(&law)?;
         if let Some(rigid) = rigid {
             own = own.beside(rigid);

@@ -111,9 +111,6 @@ pub enum Error {
     /// An error of a solve.
     #[error(transparent)]
     Solve(solve::Error),
-    /// An error of a contact in time.
-    #[error(transparent)]
-    History(#[from] contact::HistoryError),
     /// An error of a contact.
     #[error(transparent)]
     Contact(contact::Error),

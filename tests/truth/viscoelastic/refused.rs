@@ -4,7 +4,7 @@ use acceptance::{
     Refused, assert_matches, assert_names, larger, modified_power_law, rigid_probe, solid,
     solved_contact, system_of,
 };
-use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation, TimedContact};
+use contact::{Control, Error, Hysteresis, RateDependent, Relaxation, TimedContact};
 use interp::{Probe, System};
 
 use super::{CYCLES, PARABOLOID, half_space, solid_law};
@@ -41,7 +41,7 @@ fn bodies_that_do_not_relax() {
         "{soft} {stiff}"
     );
     let refused = run(3e3).expect_err("too soft a base");
-    assert_matches!(refused, HistoryError::UnlikeBodies { .. });
+    assert_matches!(refused, Error::UnlikeBodies { .. });
     assert_names(&refused.to_string(), &["do not relax", "2e-2", "rigid"]);
     let own = contact(1e5);
     for other in [
@@ -107,7 +107,7 @@ fn the_bound_for_an_elastic_sphere_holds() {
                     let history = own.history(&law).expect("a law").beside(&rigid);
                     let course = match history.at(control, &program, &times, None) {
                         Ok(course) => course,
-                        Err(HistoryError::UnlikeBodies { .. }) => {
+                        Err(Error::UnlikeBodies { .. }) => {
                             refused += 1;
                             continue;
                         }

@@ -117,13 +117,13 @@ impl Equilibria<'_> {
             derivatives.fill(Derivatives::ZERO);
             return Ok(());
         }
-        let (w, mut gradient) = (self.energy.work_of_adhesion(), None);
+        let (w, mut gradient) = (self.energy.work_of_adhesion, None);
         let terms = self.contact.terms(a, w, &mut gradient)?;
         let unknown = |input: Input| Error::from(interp::Error::FixedParameter(input.name()));
         let by = |input: Input| terms.by_one(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.
-        let punch = self.contact.is_punch().then(|| terms.stiffness());
+        let punch = self.contact.is_punch().then(|| terms.stiffness);
         let by_radius = match punch {
             Some(stiffness) => Derivatives {
                 load: stiffness,

@@ -289,7 +289,7 @@ impl Equilibria<'_> {
         if (first.rises && !self.contact.begins_at_flat_end()) || !last.rises {
             return Err(self.contact.outside(
                 "the pull-off at work of adhesion",
-                self.energy.work_of_adhesion(),
+                self.energy.work_of_adhesion,
             ));
         }
         let stable = self.sections.iter().filter(|section| section.rises);
@@ -300,7 +300,7 @@ impl Equilibria<'_> {
     }
 
     pub(crate) fn adhesionless(&self) -> bool {
-        self.energy.work_of_adhesion() == 0.0
+        self.energy.work_of_adhesion == 0.0
     }
 
     /// Returns the first and the last section.

@@ -4,7 +4,7 @@ use super::{Derivatives, Input, elastic};
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
-use crate::shape::{Shape, ShapeChange};
+use crate::shape::Shape;
 use interp::{LoadAndPenetration, MaterialParameter, Quantities, QuantityGradient};
 
 impl Contact {
@@ -43,8 +43,6 @@ impl Contact {
             w,
             gradient,
             by_a_over_t,
-            load: without.load - lowered.load,
-            penetration: without.penetration - lowered.penetration,
             without,
             lowered,
             stiffness: self.mechanics.stiffness(a, values.eeq),
@@ -61,14 +59,12 @@ pub(crate) struct Terms<'a> {
     gradient: Option<&'a QuantityGradient>,
     /// The derivatives of the logarithms of the quantities with respect to `ln(a/t)`.
     by_a_over_t: [f64; 4],
-    pub(super) load: f64,
-    pub(super) penetration: f64,
-    /// Those without adhesion.
+    /// Load and penetration without adhesion.
     without: LoadAndPenetration,
     /// By how much adhesion lowers them.
     lowered: LoadAndPenetration,
     /// The stiffness of the contact, N/m.
-    stiffness: f64,
+    pub(crate) stiffness: f64,
 }
 
 impl Terms<'_> {
@@ -107,14 +103,14 @@ impl Terms<'_> {
         self.by(input)
     }
 
+    /// Returns load and penetration.
+    pub(super) fn pair(&self) -> LoadAndPenetration {
+        self.without.minus(self.lowered)
+    }
+
     /// Whether the quantities are those of a single a/t, which does not tell how they grow with it.
     fn has_no_slopes(&self) -> bool {
         self.by_a_over_t[0].is_nan()
-    }
-
-    /// Returns the stiffness of the contact, N/m.
-    pub(crate) fn stiffness(&self) -> f64 {
-        self.stiffness
     }
 
     /// Returns the derivative of the logarithm of the stiffness under a flat punch with respect to one
@@ -214,7 +210,7 @@ impl Terms<'_> {
                 }
             }
             Shape::Punch => LoadAndPenetration::ZERO,
-            Shape::Solved(_) => self.contact.by(ShapeChange::Size, self.a).ok()?,
+            Shape::Solved(_) => self.contact.by(None, self.a).ok()?,
         };
         Some(by_size.times(1.0 / self.contact.probe().radius()?))
     }
@@ -244,7 +240,7 @@ impl Terms<'_> {
             },
             Shape::Solved(_) => {
                 let (_, slopes) = self.contact.adhesionless_and_slopes(self.a).ok()?;
-                let size = self.contact.by(ShapeChange::Size, self.a).ok()?;
+                let size = self.contact.by(None, self.a).ok()?;
                 LoadAndPenetration {
                     load: 2.0 * load - slopes.load - size.load,
                     penetration: penetration - slopes.penetration - size.penetration,
@@ -273,10 +269,7 @@ impl Terms<'_> {
                 penetration: penetration * delta0,
             },
             Shape::Solved(_) => {
-                let own = self
-                    .contact
-                    .by(ShapeChange::Material(parameter), self.a)
-                    .ok()?;
+                let own = self.contact.by(Some(parameter), self.a).ok()?;
                 LoadAndPenetration {
                     load: load * es + own.load,
                     ..own

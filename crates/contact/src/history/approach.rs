@@ -17,8 +17,8 @@
 use super::exponentials::Exponentials;
 use super::moments::{moments, slopes};
 use super::setting::Setting;
-use super::{HistoryError, Phase, TimedContact};
-use crate::{Derivatives, State};
+use super::{Phase, TimedContact};
+use crate::{Derivatives, Error, State};
 
 /// A place of a program.
 #[derive(Clone, Copy, Debug)]
@@ -151,7 +151,7 @@ impl<'a> Approach<'a> {
         &mut self,
         place: &Place,
         by: &mut [f64],
-    ) -> Result<Option<TimedContact>, HistoryError> {
+    ) -> Result<Option<TimedContact>, Error> {
         let setting = self.setting;
         let law = &setting.law;
         let (m, old) = (law.len(), self.loads.len() - law.len());
@@ -278,7 +278,7 @@ impl<'a> Approach<'a> {
         load: f64,
         (h, mean): (f64, f64),
         by: &mut [f64],
-    ) -> Result<(), HistoryError> {
+    ) -> Result<(), Error> {
         let setting = self.setting;
         let (law, m, width) = (&setting.law, setting.law.len(), setting.width);
         let to = self.passed[self.passed.len() - 1];

@@ -8,8 +8,7 @@
 
 use std::convert::Infallible;
 
-use super::HistoryError;
-use crate::{Contact, root};
+use crate::{Contact, Error, root};
 use interp::check::finite_result;
 
 /// A contact radius with its elastic state.
@@ -84,7 +83,7 @@ impl ElasticCurve {
         most: f64,
         tolerance: f64,
         halvings: u32,
-    ) -> Result<Self, HistoryError> {
+    ) -> Result<Self, Error> {
         let last = node(contact, most)?;
         if last.load.is_nan() || last.load <= SMALLEST_LOAD {
             return Err(contact.outside("penetration", last.penetration).into());
@@ -116,7 +115,7 @@ impl ElasticCurve {
         penetration: f64,
         tolerance: f64,
         halvings: u32,
-    ) -> Result<Self, HistoryError> {
+    ) -> Result<Self, Error> {
         let radius = radius_of(contact, "penetration", penetration, |node| node.penetration)?;
         Self::up_to(contact, radius, tolerance, halvings)
     }
@@ -129,7 +128,7 @@ impl ElasticCurve {
         last: &Node,
         tolerance: f64,
         [depth, more]: [u32; 2],
-    ) -> Result<(), HistoryError> {
+    ) -> Result<(), Error> {
         let begin = self.nodes[self.nodes.len() - 1];
         if begin.radius >= end.radius {
             return Ok(());
@@ -261,7 +260,7 @@ fn radius_on([begin, end]: &[Node; 2], inverted: bool, penetration: f64) -> f64 
 }
 
 /// Returns the elastic state at a contact radius (m).
-pub(super) fn node(contact: &Contact, radius: f64) -> Result<Node, HistoryError> {
+pub(super) fn node(contact: &Contact, radius: f64) -> Result<Node, Error> {
     contact.mechanics().check_radius(radius)?;
     let (state, slopes) = contact.adhesionless_and_slopes(radius)?;
     Ok(Node {
@@ -279,7 +278,7 @@ pub(super) fn radius_of(
     name: &'static str,
     value: f64,
     quantity: impl Fn(&Node) -> f64,
-) -> Result<f64, HistoryError> {
+) -> Result<f64, Error> {
     let range = contact.search_range()?;
     if quantity(&node(contact, range[1])?) < value {
         return Err(contact.outside(name, value).into());
@@ -293,10 +292,9 @@ pub(super) fn radius_within(
     [from, to]: [f64; 2],
     value: f64,
     quantity: impl Fn(&Node) -> f64,
-) -> Result<f64, HistoryError> {
-    let f = |u: f64| {
-        Ok::<_, HistoryError>(quantity(&node(contact, u.exp().clamp(from, to))?) / value - 1.0)
-    };
+) -> Result<f64, Error> {
+    let f =
+        |u: f64| Ok::<_, Error>(quantity(&node(contact, u.exp().clamp(from, to))?) / value - 1.0);
     let u = root(f, from.ln(), to.ln())?;
     Ok(u.exp().clamp(from, to))
 }
@@ -307,7 +305,7 @@ pub(super) fn radius_on_spring(
     contact: &Contact,
     load: f64,
     penetration: f64,
-) -> Result<f64, HistoryError> {
+) -> Result<f64, Error> {
     let by_load = radius_of(contact, "load", load, |node| node.load);
     let by_depth = radius_of(contact, "position of the spring", penetration, |node| {
         node.penetration
@@ -323,7 +321,7 @@ pub(super) fn radius_on_spring(
 ///
 /// # Errors
 /// [`Error::OutsideRadii`] if the end is narrower than the contacts of the curve.
-pub(super) fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
+pub(super) fn has_flat_end(contact: &Contact) -> Result<bool, Error> {
     let flat = contact.has_flat_end();
     if flat && !contact.begins_at_flat_end() {
         return Err(contact.outside("penetration", 0.0).into());
@@ -332,7 +330,7 @@ pub(super) fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
 }
 
 /// Returns the first touch: that of a flat end has the radius of the end.
-fn first_touch(contact: &Contact) -> Result<Node, HistoryError> {
+fn first_touch(contact: &Contact) -> Result<Node, Error> {
     let [radius, _] = contact.search_range()?;
     if !has_flat_end(contact)? {
         return Ok(Node::default());
@@ -348,11 +346,7 @@ fn first_touch(contact: &Contact) -> Result<Node, HistoryError> {
 ///
 /// Their radii are equally spaced. Behind the rim of a flat end the penetration grows with the root of the distance from
 /// there, and so does the number of the element.
-pub(super) fn elements(
-    contact: &Contact,
-    most: f64,
-    refined: usize,
-) -> Result<Vec<Node>, HistoryError> {
+pub(super) fn elements(contact: &Contact, most: f64, refined: usize) -> Result<Vec<Node>, Error> {
     let [smallest, _] = contact.search_range()?;
     let touch = first_touch(contact)?;
     let begin = touch.radius;

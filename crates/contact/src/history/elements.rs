@@ -17,8 +17,8 @@ use super::elastic::Node;
 use super::exponentials::Exponentials;
 use super::memory::{Memory, Step};
 use super::program::Instant;
-use super::{HistoryError, Phase, TimedContact};
-use crate::{Control, State};
+use super::{Phase, TimedContact};
+use crate::{Control, Error, State};
 
 /// The radii of the elements: from the first touch, with penetrations and stiffnesses of the elastic
 /// contact.
@@ -43,7 +43,7 @@ impl Elements<'_> {
         &self,
         instants: &[Instant],
         refined: usize,
-    ) -> Result<(Vec<TimedContact>, f64), HistoryError> {
+    ) -> Result<(Vec<TimedContact>, f64), Error> {
         let recovery = self.law.creep();
         let k = self.nodes.len();
         let slots = self.law.len().max(recovery.rates.len());
@@ -100,7 +100,7 @@ impl Elements<'_> {
         step: &Step<'_>,
         time: f64,
         value: f64,
-    ) -> Result<TimedContact, HistoryError> {
+    ) -> Result<TimedContact, Error> {
         let (k, n, used) = (self.nodes.len(), memory.touching, memory.used);
         let mut left = vec![0.0; n];
         for (left, psi) in left.iter_mut().zip(&memory.psi) {
@@ -178,7 +178,7 @@ impl Elements<'_> {
         memory: &Memory,
         step: &Step<'_>,
         f: impl Fn(f64, f64) -> (f64, f64),
-    ) -> Result<f64, HistoryError> {
+    ) -> Result<f64, Error> {
         let touch = memory.free[0] + self.nodes[0].penetration;
         let of = |x: f64| {
             let (load, stiffness, _) = self.load(memory, step, x);
@@ -227,13 +227,13 @@ impl Elements<'_> {
         penetration: f64,
         radius: f64,
         time: f64,
-    ) -> Result<(), HistoryError> {
+    ) -> Result<(), Error> {
         let largest = self.nodes[self.nodes.len() - 1].penetration;
         let first = self.nodes.partition_point(|node| node.radius <= radius);
         for (node, free) in self.nodes.iter().zip(&memory.free).skip(first) {
             let excess = penetration - node.penetration - free;
             if excess > RING * largest {
-                return Err(HistoryError::NotOneDisc {
+                return Err(Error::NotOneDisc {
                     time,
                     radius: node.radius,
                 });

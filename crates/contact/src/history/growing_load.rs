@@ -4,8 +4,8 @@
 use super::exponentials::Creep;
 use super::moments::one_less_mean;
 use super::program::{Instant, Program};
-use super::{HistoryError, Phase, TimedContact, elastic};
-use crate::{Contact, Control, State};
+use super::{Phase, TimedContact, elastic};
+use crate::{Contact, Control, Error, State};
 
 /// The part of the largest load by which one that is held may fall from rounding.
 const HELD: f64 = 1e-14;
@@ -59,7 +59,7 @@ pub(super) fn states(
     contact: &Contact,
     loads: &[f64],
     instants: &[Instant],
-) -> Result<(Vec<TimedContact>, f64), HistoryError> {
+) -> Result<(Vec<TimedContact>, f64), Error> {
     let most = loads.iter().copied().fold(0.0, f64::max);
     elastic::has_flat_end(contact)?;
     let largest = elastic::radius_of(contact, "load", most, |node| node.load)?;

@@ -1,10 +1,9 @@
 //! The history of one contact, its course and its states.
 
-use super::error::HistoryError;
 use super::program::Program;
 use super::relaxation::Relaxation;
 use super::run::Run;
-use crate::{Contact, Control, CrackTip, State};
+use crate::{Contact, Control, CrackTip, Error, State};
 
 /// The bound of the error by bodies that relax differently above which it is refused.
 pub(super) const UNLIKE: f64 = 2e-2;
@@ -99,9 +98,9 @@ impl Contact {
     /// of the contact is its `E_ref`.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`interp::Error::OtherProbe`](interp::Error::OtherProbe) for a flat punch,
+    /// As [`Relaxation::check`]; [`interp::Error::OtherProbe`] for a flat punch,
     /// whose load is the stiffness times `int phi d delta`.
-    pub fn history(&self, relaxation: &Relaxation) -> Result<History<'_>, HistoryError> {
+    pub fn history(&self, relaxation: &Relaxation) -> Result<History<'_>, Error> {
         relaxation.check()?;
         if self.is_punch() {
             return Err(self
@@ -129,7 +128,7 @@ impl Contact {
         a: f64,
         relaxation: &Relaxation,
         omega: f64,
-    ) -> Result<[f64; 2], HistoryError> {
+    ) -> Result<[f64; 2], Error> {
         let stiffness = self.stiffness(a)?;
         Ok(relaxation.complex(omega)?.map(|part| stiffness * part))
     }
@@ -158,18 +157,18 @@ impl<'a> History<'a> {
     /// the energy at which the law recedes.
     ///
     /// # Errors
-    /// [`HistoryError::Refused`] for a law with an advancing energy, or whose energy depends on the speed of the line.
-    pub fn receding(self, law: impl CrackTip) -> Result<Self, HistoryError> {
+    /// [`Error::Refused`] for a law with an advancing energy, or whose energy depends on the speed of the line.
+    pub fn receding(self, law: impl CrackTip) -> Result<Self, Error> {
         let [advancing, receding] = crate::line::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
-            return HistoryError::refused(format!(
+            return Error::refused(format!(
                 "the advancing energy is {advancing:?} J/m^2 and must be 0: how much a growing contact gains from adhesion \
                  while the bodies relax depends on the process at the crack tip, for which no law is known here; give the \
                  energy of the receding line alone, `Hysteresis::new(0.0, w)`"
             ));
         }
         if law.speed(2.0 * receding + f64::MIN_POSITIVE).is_finite() {
-            return HistoryError::refused(
+            return Error::refused(
                 "the energy of the receding line depends on its speed, and a history takes one energy for all \
                  speeds: give `Hysteresis::new(0.0, w)`",
             );
@@ -190,7 +189,7 @@ impl<'a> History<'a> {
         control: Control,
         program: &[(f64, f64)],
         tolerance: Option<f64>,
-    ) -> Result<Course, HistoryError> {
+    ) -> Result<Course, Error> {
         let times: Vec<f64> = program.iter().map(|point| point.0).collect();
         self.at(control, program, &times, tolerance)
     }
@@ -206,10 +205,10 @@ impl<'a> History<'a> {
     /// at 1e-5; the error that is reached is stated, and more than 0.5 is an error.
     ///
     /// # Errors
-    /// [`HistoryError::Refused`] says what is wrong with the program, as with one whose first value is not 0 or
-    /// less; [`HistoryError::NotOneDisc`] where a dent has not recovered;
-    /// [`HistoryError::Unreached`] for a tolerance that is not reached;
-    /// [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the curve does not hold the contact
+    /// [`Error::Refused`] says what is wrong with the program, as with one whose first value is not 0 or
+    /// less; [`Error::NotOneDisc`] where a dent has not recovered;
+    /// [`Error::Unreached`] for a tolerance that is not reached;
+    /// [`Error::OutsideRadii`] where the curve does not hold the contact
     /// radius.
     pub fn at(
         &self,
@@ -217,11 +216,11 @@ impl<'a> History<'a> {
         program: &[(f64, f64)],
         times: &[f64],
         tolerance: Option<f64>,
-    ) -> Result<Course, HistoryError> {
+    ) -> Result<Course, Error> {
         control.check()?;
         tolerance.map_or(Ok(()), crate::line::check_tolerance)?;
         if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
-            return HistoryError::refused(format!(
+            return Error::refused(format!(
                 "time {} of those asked for is {:?} s and the one before it {:?} s: give them in ascending order",
                 i + 2,
                 times[i + 1],

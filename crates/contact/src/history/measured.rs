@@ -20,8 +20,8 @@ use super::return_steps::Return;
 use super::setting::Setting;
 use super::steps::Steps;
 use super::variation::with_derivatives;
-use super::{History, HistoryError, LawParameter, TimedContact};
-use crate::{Control, Input};
+use super::{History, LawParameter, TimedContact};
+use crate::{Control, Error, Input};
 use interp::check::finite_result;
 
 /// The relative tolerance of the exponentials, and of the elastic curve.
@@ -63,8 +63,8 @@ impl History<'_> {
     /// tolerance.
     ///
     /// # Errors
-    /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
-    /// retract; [`HistoryError::Refused`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
+    /// As [`History::at`]; [`Error::GrowsAgain`] where the contact grows after its first
+    /// retract; [`Error::Refused`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
     /// and [`interp::Error::NoGradient`](interp::Error::NoGradient) as
     /// [`Contact::gradient`](crate::Contact::gradient).
     pub fn measured(
@@ -72,7 +72,7 @@ impl History<'_> {
         control: Control,
         points: &[(f64, f64)],
         inputs: Option<HistoryInputs<'_>>,
-    ) -> Result<MeasuredHistory, HistoryError> {
+    ) -> Result<MeasuredHistory, Error> {
         self.followed(control, points, inputs, |steps| steps)
     }
 
@@ -89,7 +89,7 @@ impl History<'_> {
         control: Control,
         points: &[(f64, f64)],
         measured: &MeasuredHistory,
-    ) -> Result<f64, HistoryError> {
+    ) -> Result<f64, Error> {
         let finer = self.followed(control, points, None, Steps::halved)?;
         let (mut most, mut largest) = (0.0_f64, 0.0_f64);
         for (own, finer) in measured.states.iter().zip(&finer.states) {
@@ -110,13 +110,13 @@ impl History<'_> {
         points: &[(f64, f64)],
         inputs: Option<HistoryInputs<'_>>,
         of_usual: fn(Steps) -> Steps,
-    ) -> Result<MeasuredHistory, HistoryError> {
+    ) -> Result<MeasuredHistory, Error> {
         control.check()?;
         let compliance = match control {
             Control::Displacement => 0.0,
             Control::Spring { stiffness } => 1.0 / stiffness,
             Control::Load => {
-                return HistoryError::refused(
+                return Error::refused(
                     "the loads are imposed, and measured histories follow a penetration or the position of a spring: give one of these",
                 );
             }
@@ -150,7 +150,7 @@ impl History<'_> {
             variations,
             inputs: inputs.contact,
             compliance,
-            adhesion: None,
+            receding: None,
             width,
         };
         follow(&setting, &steps.places(&program), &mut found)
@@ -173,7 +173,7 @@ impl History<'_> {
         largest: f64,
         law: &Exponentials,
         duration: f64,
-    ) -> Result<ElasticCurve, HistoryError> {
+    ) -> Result<ElasticCurve, Error> {
         let Control::Spring { stiffness } = control else {
             return ElasticCurve::to_penetration(self.contact, largest, ELASTIC, 0);
         };
@@ -189,7 +189,7 @@ pub(super) fn follow(
     setting: &Setting<'_>,
     places: &[Place],
     found: &mut MeasuredHistory,
-) -> Result<(), HistoryError> {
+) -> Result<(), Error> {
     let width = setting.width;
     let mut by = vec![0.0; width];
     let mut approach = Approach::new(setting, &places[0], places.len());

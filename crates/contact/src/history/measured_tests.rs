@@ -3,7 +3,7 @@
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{HistoryInputs, Relaxation, TimedContact};
-use crate::{Contact, Control, HistoryError, Input};
+use crate::{Contact, Control, Error, Input};
 
 fn system(young: f64) -> System {
     System {
@@ -301,18 +301,15 @@ fn mistakes() {
     let law = &laws()[0];
     let history = contact.history(law).expect("a law");
     let follow = |points: &[(f64, f64)]| history.measured(Control::Displacement, points, None);
-    let refused = |found: Result<_, HistoryError>, words: &str| {
-        let Err(HistoryError::Refused(what)) = found else {
+    let refused = |found: Result<_, Error>, words: &str| {
+        let Err(Error::Refused(what)) = found else {
             panic!("not refused: {words}")
         };
         assert!(what.contains(words), "{what}");
     };
     refused(follow(&[(0.0, 1e-7), (1.0, 1e-6)]), "begins in contact");
     let twice = [(0.0, 0.0), (1.0, 1e-6), (1.2, 0.9e-6), (2.0, 1e-6)];
-    assert!(matches!(
-        follow(&twice),
-        Err(HistoryError::GrowsAgain { .. })
-    ));
+    assert!(matches!(follow(&twice), Err(Error::GrowsAgain { .. })));
     let apart = follow(&[(0.0, -1e-6), (1.0, -1e-7)]).expect("no contact");
     assert!(apart.states.iter().all(|at| at.state.load == 0.0));
     let loads = history.measured(Control::Load, &[(0.0, 0.0), (1.0, 1e-9)], None);

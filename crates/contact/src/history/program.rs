@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use super::{HistoryError, TimedContact};
-use crate::Control;
+use super::TimedContact;
+use crate::{Control, Error};
 
 /// The durations that are followed, s: their inverse squares do not overflow.
 const DURATIONS: RangeInclusive<f64> = 1e-50..=1e50;
@@ -21,13 +21,9 @@ pub(super) struct Program {
 impl Program {
     /// Takes points whose times rise and whose first value, of the quantity `name`, is without a contact, and
     /// holds the last value until the last of the times asked for.
-    pub fn new(
-        name: &'static str,
-        points: &[(f64, f64)],
-        asked: &[f64],
-    ) -> Result<Self, HistoryError> {
+    pub fn new(name: &'static str, points: &[(f64, f64)], asked: &[f64]) -> Result<Self, Error> {
         if points.len() < 2 {
-            return HistoryError::refused(format!(
+            return Error::refused(format!(
                 "a program needs two points or more, and has {}: give the times and values at which it bends",
                 points.len()
             ));
@@ -41,13 +37,13 @@ impl Program {
         for (i, &(time, value)) in points.iter().enumerate() {
             let number = i + 1;
             if !(time.is_finite() && value.is_finite()) {
-                return HistoryError::refused(format!(
+                return Error::refused(format!(
                     "point {number} of the program is ({time:?} s, {value:?}): both must be finite"
                 ));
             }
             match own.times.last() {
                 Some(&before) if time - origin <= before => {
-                    return HistoryError::refused(format!(
+                    return Error::refused(format!(
                         "point {number} of the program is at {time:?} s and the one before it at {:?} s: times \
                          must rise; for a sudden change give two times that are close together",
                         points[i - 1].0
@@ -60,7 +56,7 @@ impl Program {
         let (begin, end) = (origin, own.duration());
         for &time in asked {
             if !(time >= begin && time.is_finite()) {
-                return HistoryError::refused(format!(
+                return Error::refused(format!(
                     "the state at {time:?} s is not known: the program begins at {begin:?} s; ask for finite times from there on"
                 ));
             }
@@ -72,13 +68,13 @@ impl Program {
         }
         let value = own.duration();
         if !DURATIONS.contains(&value) {
-            return HistoryError::refused(format!(
+            return Error::refused(format!(
                 "the program takes {value:?} s, and programs from 1e-50 to 1e50 s are followed: give its times in seconds"
             ));
         }
         let value = own.values[0];
         if value > 0.0 {
-            return HistoryError::refused(format!(
+            return Error::refused(format!(
                 "the program begins in contact, at {name} = {value:?}: the history before its first point is not known, and \
                  the forces depend on it; begin at {name} <= 0"
             ));

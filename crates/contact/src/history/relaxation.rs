@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::HistoryError;
 use super::exponentials::Exponentials;
+use crate::Error;
 
 /// How Young's modulus falls in time after a step of the strain: `E(t) = E_ref phi(t)`, at a
 /// constant Poisson ratio.
@@ -17,7 +17,7 @@ use super::exponentials::Exponentials;
 /// let solid = Relaxation::Prony { relaxed: 0.3, terms: vec![[0.7, 0.6]] }; // a standard linear solid
 /// let modulus = solid.modulus(0.6)?;
 /// assert!((modulus - (0.3 + 0.7 * (-1.0_f64).exp())).abs() < 1e-15);
-/// # Ok::<(), contact::HistoryError>(())
+/// # Ok::<(), contact::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Relaxation {
@@ -68,9 +68,9 @@ impl Relaxation {
     ///
     /// # Errors
     /// [`interp::Error::InvalidArgument`](interp::Error::InvalidArgument) names the parameter, its value and the values allowed.
-    pub fn check(&self) -> Result<(), HistoryError> {
+    pub fn check(&self) -> Result<(), Error> {
         let unless = |holds: bool, name: &'static str, value: f64, allowed: &'static str| {
-            interp::Error::argument(holds, name, value, allowed).map_err(HistoryError::from)
+            interp::Error::argument(holds, name, value, allowed).map_err(Error::from)
         };
         let positive = |name, value: f64| {
             unless(
@@ -147,8 +147,8 @@ impl Relaxation {
     /// infinite.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`HistoryError::Contact`] for a time that is negative or not finite.
-    pub fn modulus(&self, t: f64) -> Result<f64, HistoryError> {
+    /// As [`Relaxation::check`]; [`interp::Error::InvalidArgument`] for a time that is negative or not finite.
+    pub fn modulus(&self, t: f64) -> Result<f64, Error> {
         self.check()?;
         time_of_a_step(t)?;
         Ok(match self {
@@ -188,7 +188,7 @@ impl Relaxation {
     ///
     /// # Errors
     /// As [`Relaxation::modulus`].
-    pub fn creep(&self, t: f64) -> Result<f64, HistoryError> {
+    pub fn creep(&self, t: f64) -> Result<f64, Error> {
         self.check()?;
         time_of_a_step(t)?;
         Ok(match self {
@@ -210,8 +210,8 @@ impl Relaxation {
     /// That of a power law is `Gamma(1-exponent) (i omega time)^exponent`.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`HistoryError::Contact`] unless `omega` is positive and finite.
-    pub fn complex(&self, omega: f64) -> Result<[f64; 2], HistoryError> {
+    /// As [`Relaxation::check`]; [`interp::Error::InvalidArgument`] unless `omega` is positive and finite.
+    pub fn complex(&self, omega: f64) -> Result<[f64; 2], Error> {
         self.check()?;
         let holds = omega > 0.0 && omega.is_finite();
         interp::Error::argument(holds, "omega", omega, "> 0 and finite, in rad/s")?;

@@ -3,8 +3,8 @@
 use super::approach::{Approach, Passed, Place, Step};
 use super::elastic::hermite;
 use super::moments::moments;
-use super::{HistoryError, Phase, TimedContact};
-use crate::State;
+use super::{Phase, TimedContact};
+use crate::{Error, State};
 
 /// The part of the approach by which its time of the present radius may rise.
 const ROUNDING: f64 = 1e-9;
@@ -84,7 +84,7 @@ impl<'a> Return<'a> {
     }
 
     /// Takes a step, and writes the derivatives of the load.
-    pub fn recede(&mut self, place: &Place, by: &mut [f64]) -> Result<TimedContact, HistoryError> {
+    pub fn recede(&mut self, place: &Place, by: &mut [f64]) -> Result<TimedContact, Error> {
         let setting = self.approach.setting;
         let law = &setting.law;
         let h = place.time - self.time;
@@ -113,8 +113,8 @@ impl<'a> Return<'a> {
                 let passed = self.passed_at(low, t1);
                 let contact_radius = setting.curve.radius(passed.penetration);
                 // The slope of the elastic curve has fewer digits than its stiffness.
-                let pulled = match setting.adhesion {
-                    Some(adhesion) => adhesion.contact.stiffness(contact_radius)? * line.since,
+                let pulled = match setting.receding {
+                    Some(_) => setting.contact.stiffness(contact_radius)? * line.since,
                     None => 0.0,
                 };
                 let state = State {
@@ -177,17 +177,17 @@ impl<'a> Return<'a> {
 
     /// Returns where the line is: after a point of the approach, at a time, and the contact. `None`
     /// without one.
-    fn line(&mut self, now: &Now) -> Result<Option<(usize, f64, Line)>, HistoryError> {
+    fn line(&mut self, now: &Now) -> Result<Option<(usize, f64, Line)>, Error> {
         let passed = &self.approach.passed;
         let touch = self.approach.touch;
-        let grows = HistoryError::GrowsAgain { time: now.time };
+        let grows = Error::GrowsAgain { time: now.time };
         let slack = ROUNDING * self.approach.setting.curve.last().penetration;
         if self.separated {
             let comes_back = self.at_point(now, touch)?.excess < -slack;
             return if comes_back { Err(grows) } else { Ok(None) };
         }
         let mut above = self.at_point(now, self.bracket)?;
-        let adheres = self.approach.setting.adhesion.is_some();
+        let adheres = self.approach.setting.receding.is_some();
         if adheres && self.bracket == self.grown && above.excess <= 0.0 {
             let line = Line {
                 penetration: now.value,
@@ -265,7 +265,7 @@ impl<'a> Return<'a> {
     }
 
     /// Returns the contact if the line is where it was at a point of the approach.
-    fn at_point(&self, now: &Now, point: usize) -> Result<Line, HistoryError> {
+    fn at_point(&self, now: &Now, point: usize) -> Result<Line, Error> {
         let setting = self.approach.setting;
         let law = &setting.law;
         let m = law.len();
@@ -275,7 +275,7 @@ impl<'a> Return<'a> {
             &self.approach.lengths[point * m..][..m],
             &self.approach.loads[point * m..][..m],
         );
-        let asks_load = setting.compliance > 0.0 || setting.adhesion.is_some();
+        let asks_load = setting.compliance > 0.0 || setting.receding.is_some();
         let (mut length, mut load) = (
             law.constant * passed.penetration,
             law.constant * passed.load,
@@ -293,7 +293,7 @@ impl<'a> Return<'a> {
     }
 
     /// Returns the contact if the line is where it was at a time after the point `low`.
-    fn full(&self, now: &Now, low: usize, t1: f64) -> Result<Line, HistoryError> {
+    fn full(&self, now: &Now, low: usize, t1: f64) -> Result<Line, Error> {
         let setting = self.approach.setting;
         let law = &setting.law;
         let m = law.len();
@@ -327,13 +327,10 @@ impl<'a> Return<'a> {
         [length, load]: [f64; 2],
         [modulus, speed]: [f64; 2],
         passed: &Passed,
-    ) -> Result<Line, HistoryError> {
+    ) -> Result<Line, Error> {
         let setting = self.approach.setting;
         let stays = setting.law.constant * self.penetration + now.stays;
-        let lowered = match setting.adhesion {
-            Some(adhesion) => adhesion.lowers(setting.curve.radius(passed.penetration))?,
-            None => 0.0,
-        };
+        let lowered = setting.lowers(passed.penetration)?;
         let penetration = self.penetration + (length - stays - lowered) / now.mean;
         let by_time = modulus * speed;
         Ok(Line {

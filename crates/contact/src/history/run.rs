@@ -1,6 +1,5 @@
 //! The choice of the method, and its refinement until two refinements agree.
 
-use super::adhesion::Adhesion;
 use super::approach::Place;
 use super::elastic::{self, ElasticCurve, Node};
 use super::elements::{Elements, LONGEST};
@@ -8,8 +7,8 @@ use super::exponentials::Exponentials;
 use super::measured::{MeasuredHistory, follow};
 use super::program::{Instant, Program};
 use super::setting::Setting;
-use super::{History, HistoryError, TimedContact, growing_load};
-use crate::{Control, State};
+use super::{History, TimedContact, growing_load};
+use crate::{Control, Error, State};
 
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
@@ -55,7 +54,7 @@ pub(super) struct Run<'a> {
 
 impl Run<'_> {
     /// Returns the states at the times asked for, and their error.
-    pub fn course(&self) -> Result<States, HistoryError> {
+    pub fn course(&self) -> Result<States, Error> {
         let contact = self.history.contact;
         let largest = self.program.largest();
         if largest <= 0.0 {
@@ -99,8 +98,8 @@ impl Run<'_> {
     /// may not show.
     fn integrals(
         &self,
-        follow: impl Fn(u32) -> Result<Option<States>, HistoryError>,
-    ) -> Result<Option<States>, HistoryError> {
+        follow: impl Fn(u32) -> Result<Option<States>, Error>,
+    ) -> Result<Option<States>, Error> {
         let mut coarse: Option<Vec<TimedContact>> = None;
         let mut error = f64::INFINITY;
         for run in 0..RUNS {
@@ -125,7 +124,7 @@ impl Run<'_> {
     }
 
     /// Follows a penetration with at most one turn.
-    fn one_turn(&self, run: u32) -> Result<Option<States>, HistoryError> {
+    fn one_turn(&self, run: u32) -> Result<Option<States>, Error> {
         let contact = self.history.contact;
         let relaxation = &self.history.relaxation;
         let tolerance = PART * self.digits();
@@ -146,7 +145,7 @@ impl Run<'_> {
             variations: Vec::new(),
             inputs: &[],
             compliance: 0.0,
-            adhesion: self.history.receding.map(|work| Adhesion { contact, work }),
+            receding: self.history.receding,
             width: 0,
         };
         let mut found = MeasuredHistory {
@@ -154,7 +153,7 @@ impl Run<'_> {
             derivatives: Vec::new(),
         };
         match follow(&setting, &places(&setting.curve, instants), &mut found) {
-            Err(HistoryError::GrowsAgain { .. }) => return Ok(None),
+            Err(Error::GrowsAgain { .. }) => return Ok(None),
             followed => followed?,
         }
         let (law, states) = (&setting.law, found.states);
@@ -168,7 +167,7 @@ impl Run<'_> {
     }
 
     /// Follows a load that grows or is held.
-    fn growing_load(&self, run: u32) -> Result<States, HistoryError> {
+    fn growing_load(&self, run: u32) -> Result<States, Error> {
         let law = self.exponentials(PART * self.digits() * FINER.powi(run as i32));
         let loads = growing_load::elastic_loads(&law.creep(), self.instants);
         let (states, error) = growing_load::states(self.history.contact, &loads, self.instants)?;
@@ -183,9 +182,9 @@ impl Run<'_> {
         times[turn.expect("it is one of the values")]
     }
 
-    fn refuse_adhesion(&self, reason: &'static str) -> Result<(), HistoryError> {
+    fn refuse_adhesion(&self, reason: &'static str) -> Result<(), Error> {
         match self.history.receding {
-            Some(_) => HistoryError::refused(format!(
+            Some(_) => Error::refused(format!(
                 "adhesion is computed for a penetration that grows, may be held, and falls: {reason}; use such a program, \
                  or a contact without adhesion"
             )),
@@ -213,7 +212,7 @@ impl Run<'_> {
     }
 
     /// Follows the program by elements up to a contact radius (m).
-    fn elements(&self, most: f64) -> Result<States, HistoryError> {
+    fn elements(&self, most: f64) -> Result<States, Error> {
         let contact = self.history.contact;
         let law = self.law_of_elements().without_negligible();
         let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
@@ -242,7 +241,7 @@ impl Run<'_> {
             let (states, grown) = loop {
                 match own.follow(self.instants, parts) {
                     // An element that touches and is released within one step may look like a ring.
-                    Err(HistoryError::NotOneDisc { .. }) if parts < MOST_PARTS => parts *= 4,
+                    Err(Error::NotOneDisc { .. }) if parts < MOST_PARTS => parts *= 4,
                     found => break found?,
                 }
             };
@@ -311,9 +310,9 @@ fn places(curve: &ElasticCurve, instants: &[Instant]) -> Vec<Place> {
 
 /// Returns the error of a tolerance that is not reached, and one that would be. Printed with two digits it is not rounded
 /// down.
-fn unreached(tolerance: f64, needed: f64) -> HistoryError {
+fn unreached(tolerance: f64, needed: f64) -> Error {
     const UPWARDS: f64 = 1.05;
-    HistoryError::Unreached {
+    Error::Unreached {
         tolerance,
         reached: UPWARDS * needed,
     }

@@ -1,9 +1,8 @@
 //! What all steps of a measured history need.
 
-use super::adhesion::Adhesion;
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
-use crate::{Contact, Input};
+use crate::{Contact, Error, Input};
 
 /// What all steps need.
 pub(super) struct Setting<'a> {
@@ -15,13 +14,31 @@ pub(super) struct Setting<'a> {
     pub inputs: &'a [Input],
     /// The compliance of the spring, m/N; 0 without one.
     pub compliance: f64,
-    /// What adhesion adds to a contact that recedes, without a spring and derivatives.
-    pub adhesion: Option<Adhesion<'a>>,
+    /// The energy at which the line recedes, J/m^2, without a spring and derivatives.
+    pub receding: Option<f64>,
     /// The number of derivatives; 0 if none are asked for.
     pub width: usize,
 }
 
 impl Setting<'_> {
+    /// Returns the flat-punch penetration (m) by which adhesion lowers a contact that recedes and had a penetration (m)
+    /// without it.
+    pub fn lowers(&self, penetration: f64) -> Result<f64, Error> {
+        let Some(work) = self.receding else {
+            return Ok(0.0);
+        };
+        let radius = self.curve.radius(penetration);
+        if radius <= 0.0 {
+            return Ok(0.0);
+        }
+        let mechanics = self.contact.mechanics();
+        let edge = mechanics.edge_singularity(radius, work)?;
+        let quantities = self.contact.quantities(radius)?;
+        Ok(mechanics
+            .lowered_by(radius, edge, quantities.eeq, quantities.gamma)
+            .penetration)
+    }
+
     /// Completes the derivatives of a step: `of_fixed` with the parts that do not depend on the
     /// change of the penetration at its end, of which the load changes by `stiffness`. Returns the
     /// derivatives of the penetration.

@@ -14,8 +14,8 @@
 
 use super::exponentials::Exponentials;
 use super::measured::MeasuredHistory;
-use super::{History, HistoryError, TimedContact, UNLIKE, elastic};
-use crate::{Contact, Control, State};
+use super::{History, TimedContact, UNLIKE, elastic};
+use crate::{Contact, Control, Error, State};
 
 /// The tolerance of the law.
 const DIGITS: f64 = 1e-4;
@@ -25,10 +25,10 @@ impl History<'_> {
     /// the largest load; 0 unless [`History::beside`] is told of them. Contact radii may be wrong by more.
     ///
     /// # Errors
-    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::Refused`] if the rigid bodies are
-    /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the
+    /// [`Error::UnlikeBodies`] above 2e-2; [`Error::Refused`] if the rigid bodies are
+    /// not those of this history; [`Error::OutsideRadii`] where the
     /// curve of the rigid bodies does not hold the contact.
-    pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
+    pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, Error> {
         match self.rigid {
             Some(rigid) => self.unlike(rigid, Control::Displacement, &measured.states),
             None => Ok(0.0),
@@ -42,9 +42,9 @@ impl History<'_> {
         rigid: &Contact,
         control: Control,
         states: &[TimedContact],
-    ) -> Result<f64, HistoryError> {
+    ) -> Result<f64, Error> {
         if !rigid.bodies.are_rigid_beside(&self.contact.bodies) {
-            return HistoryError::refused(
+            return Error::refused(
                 "the contact between rigid bodies is not that of this history: it must have the same film, thickness and probe, with a \
                  rigid sphere and a rigid base; the layers of a stack relax all by one law, and so must the other bodies",
             );
@@ -53,7 +53,7 @@ impl History<'_> {
         if deepest <= 0.0 {
             return Ok(0.0);
         }
-        let load = |contact: &Contact| -> Result<f64, HistoryError> {
+        let load = |contact: &Contact| -> Result<f64, Error> {
             let a = elastic::radius_of(contact, "penetration", deepest, |node| node.penetration)?;
             Ok(contact.load(a, 0.0)?)
         };
@@ -83,13 +83,13 @@ impl History<'_> {
         if bound <= UNLIKE {
             Ok(bound)
         } else {
-            Err(HistoryError::UnlikeBodies { what, bound, chi })
+            Err(Error::UnlikeBodies { what, bound, chi })
         }
     }
 
     /// Returns by how much (m) the penetration is not that of a body that rests under its load; that of a dent without
     /// contact.
-    fn departure(&self, state: &State) -> Result<f64, HistoryError> {
+    fn departure(&self, state: &State) -> Result<f64, Error> {
         let a = state.contact_radius;
         if a == 0.0 {
             return Ok(state.penetration.max(0.0));

@@ -192,7 +192,7 @@ impl Field {
                 for (l, q) in at_q.iter().enumerate() {
                     let x = (0.5 * (p + q)).min(end);
                     if let Some((of, change)) = &self.of {
-                        let (of, by) = (of.row(i), factor * medium.growth_by(*change, x)?);
+                        let (of, by) = (of.row(i), factor * medium.changed(*change, x)?.growth);
                         let [p, q] = &of.blocks[j];
                         block.rate[k][l] = of.rates[j][k][l];
                         block.sources[0][k][l] = by * q[k][l];

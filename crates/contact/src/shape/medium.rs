@@ -59,12 +59,12 @@ pub(super) struct Change {
     thick: Thick,
 }
 
-/// The derivatives of `ln Gamma`, `dln(Gamma)/dx` and `Eeq/es` with respect to a parameter.
+/// The derivatives of `ln Gamma`, `dln(Gamma)/dx` and `ln(Eeq/es)` with respect to a parameter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Changed {
     pub ln_gamma: f64,
     pub growth: f64,
-    pub eeq: f64,
+    pub ln_eeq: f64,
 }
 
 impl Medium {
@@ -105,24 +105,14 @@ impl Medium {
         })
     }
 
-    /// Returns the derivative of `dln(Gamma)/dx` with respect to a parameter.
-    pub(super) fn growth_by(&self, change: Change, x: f64) -> Result<f64, Error> {
-        if x < self.first {
-            return Ok(self.changed(change, x)?.growth);
-        }
-        let [.., growth] = self.curve.over_es_by(change.parameter, x)?;
-        Ok(growth)
-    }
-
     /// Returns the derivatives at `x` with respect to a parameter.
     pub(super) fn changed(&self, change: Change, x: f64) -> Result<Changed, Error> {
         if x >= self.first {
             let [_, eeq, ln_gamma, growth] = self.curve.over_es_by(change.parameter, x)?;
-            let own = self.curve.quantity(Quantity::Eeq, x)? / self.es;
             return Ok(Changed {
                 ln_gamma,
                 growth,
-                eeq: own * eeq,
+                ln_eeq: eeq,
             });
         }
         let ratio = x / self.first;
@@ -139,7 +129,7 @@ impl Medium {
         Ok(Changed {
             ln_gamma: -softer - by.u / rigid,
             growth: -growth,
-            eeq: -softer / stiffness,
+            ln_eeq: -softer,
         })
     }
 
@@ -157,15 +147,10 @@ impl Medium {
                 .min(LARGEST_FIRST)
     }
 
-    /// Returns `es/Eeq - 1` of a thick film at `x`.
-    pub(super) fn departure(&self, x: f64) -> f64 {
-        let Thick { alpha, u } = self.thick.at(x / self.first);
-        alpha + u
-    }
-
-    /// Returns the derivative of [`Self::departure`] with respect to a parameter.
-    pub(super) fn departure_by(&self, change: Change, x: f64) -> f64 {
-        let Thick { alpha, u } = change.thick.at(x / self.first);
+    /// Returns `es/Eeq - 1` of a thick film at `x`, or its derivative with respect to a parameter.
+    pub(super) fn departure(&self, by: Option<Change>, x: f64) -> f64 {
+        let thick = by.map_or(self.thick, |change| change.thick);
+        let Thick { alpha, u } = thick.at(x / self.first);
         alpha + u
     }
 

@@ -20,4 +20,3 @@ mod solved;
 pub(super) mod transform;
 
 pub(super) use self::shape::Shape;
-pub(super) use self::solved::ShapeChange;

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use interp::LoadAndPenetration;
-use interp::{Curve, Elastic, Probe, Quantities, Quantity, System};
+use interp::{Curve, Elastic, MaterialParameter, Probe, Quantities, Quantity, System};
 
 use super::even_powers::{EvenPowers, EvenShape, LARGEST_A_OVER_R};
-use super::solved::{ShapeChange, Solved};
+use super::solved::Solved;
 use super::transform::{Transform, kappa};
 use crate::Contact;
 use crate::Error;
@@ -320,15 +320,23 @@ impl Contact {
     }
 
     /// Returns the derivatives of load and penetration without adhesion with respect to a parameter
-    /// of the material, at a fixed modulus of sphere and film, or to the logarithm of all lengths of the shape.
+    /// of the material, at a fixed modulus of sphere and film, or, without one, to the logarithm of all lengths of the
+    /// shape.
     ///
     /// It is not inlined, because shapes that do not need it would take its registers.
     #[inline(never)]
-    pub(crate) fn by(&self, change: ShapeChange, a: f64) -> Result<LoadAndPenetration, Error> {
+    pub(crate) fn by(
+        &self,
+        parameter: Option<MaterialParameter>,
+        a: f64,
+    ) -> Result<LoadAndPenetration, Error> {
         match (&self.shape, self.curve()) {
             (Shape::Solved(solved), Some(curve)) => {
                 let t = self.film_thickness();
-                let [penetration, load] = solved.by(curve, change, a / t)?;
+                let [penetration, load] = match parameter {
+                    Some(parameter) => solved.by_parameter(curve, parameter, a / t)?,
+                    None => solved.by_size(a / t)?,
+                };
                 Ok(LoadAndPenetration {
                     load: self.mechanics.sphere_film_modulus() * t * t * load,
                     penetration: t * penetration,

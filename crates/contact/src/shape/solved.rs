@@ -30,15 +30,6 @@ use crate::Error;
 use crate::made::made;
 use interp::{Curve, MaterialParameter, Parameter};
 
-/// What a contact with a shape is differentiated with respect to.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum ShapeChange {
-    /// A parameter of the material, as in `QuantityGradient::relative`.
-    Material(MaterialParameter),
-    /// The logarithm of all lengths of the shape.
-    Size,
-}
-
 /// Between radii with no knot above this part of the smaller one, the integrals are as smooth as the
 /// coefficients.
 const NEAR: f64 = 0.5;
@@ -206,7 +197,7 @@ impl Solved {
                 slope,
                 integral,
             } = bare;
-            let departure = field.medium.departure(x);
+            let departure = field.medium.departure(None, x);
             return Ok(Values {
                 penetration: value + departure * (value - integral / x),
                 // `delta0' = F0'/S`, and the load is that of a half-space.
@@ -255,16 +246,8 @@ impl Solved {
         }
     }
 
-    /// Returns the derivatives of penetration and load.
-    pub(super) fn by(&self, curve: &Curve, change: ShapeChange, x: f64) -> Result<[f64; 2], Error> {
-        match change {
-            ShapeChange::Material(parameter) => self.by_parameter(curve, parameter, x),
-            ShapeChange::Size => self.by_size(x),
-        }
-    }
-
-    /// Returns the derivatives with respect to the logarithm of all lengths of the shape.
-    fn by_size(&self, x: f64) -> Result<[f64; 2], Error> {
+    /// Returns the derivatives of penetration and load with respect to the logarithm of all lengths of the shape.
+    pub(super) fn by_size(&self, x: f64) -> Result<[f64; 2], Error> {
         let Bare {
             value,
             slope,
@@ -280,7 +263,7 @@ impl Solved {
         if self.is_thick(x) {
             let mean = bare.integral / x;
             return Ok([
-                bare.value + medium.departure(x) * (bare.value - mean),
+                bare.value + medium.departure(None, x) * (bare.value - mean),
                 2.0 * x * (bare.value - mean),
             ]);
         }
@@ -293,8 +276,8 @@ impl Solved {
         Ok([penetration, 2.0 * (x * eeq * penetration - moment)])
     }
 
-    /// Returns the derivatives with respect to a parameter of the material.
-    fn by_parameter(
+    /// Returns the derivatives of penetration and load with respect to a parameter of the material.
+    pub(super) fn by_parameter(
         &self,
         curve: &Curve,
         parameter: MaterialParameter,
@@ -309,16 +292,12 @@ impl Solved {
         let bare = self.bare(x);
         if self.is_thick(x) {
             let mean = bare.integral / x;
-            return Ok([
-                field.medium.departure_by(*change, x) * (bare.value - mean),
-                0.0,
-            ]);
+            let departure = field.medium.departure(Some(*change), x);
+            return Ok([departure * (bare.value - mean), 0.0]);
         }
         let At { gamma, eeq, .. } = field.medium.at(x)?;
         let Changed {
-            ln_gamma,
-            eeq: by_eeq,
-            ..
+            ln_gamma, ln_eeq, ..
         } = field.medium.changed(*change, x)?;
         let own = self.own.integrals(x, None)?;
         let by_own = derivative.integrals(x, Some(&self.own))?;
@@ -327,7 +306,7 @@ impl Solved {
         let on_half_space = if field.falls { bare.value } else { 0.0 };
         let by_penetration = by_penetration - ln_gamma * (penetration - on_half_space);
         let by_moment = by_moment + ln_gamma * moment;
-        let by_product = by_eeq * penetration + eeq * by_penetration;
+        let by_product = eeq * (ln_eeq * penetration + by_penetration);
         Ok([by_penetration, 2.0 * (x * by_product - by_moment)])
     }
 }

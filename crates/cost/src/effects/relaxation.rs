@@ -1,6 +1,6 @@
 //! Relaxation: the error of the elastic load where the modulus falls in time, and the cost of a history.
 
-use contact::{Contact, Control, HistoryError, Relaxation};
+use contact::{Contact, Control, Relaxation};
 use interp::{Material, Probe, System};
 
 use crate::clock::Timing;
@@ -38,13 +38,12 @@ fn follow(
     };
     let course = match to(tolerance) {
         // Without a tolerance the history is as exact as it can be.
-        Err(HistoryError::Unreached { .. }) if tolerance.is_some() => to(None),
+        Err(contact::Error::Unreached { .. }) if tolerance.is_some() => to(None),
         course => course,
     };
     match course {
         Ok(course) => Ok(course.states.iter().map(|at| at.state.load).collect()),
-        Err(HistoryError::Contact(error)) => Err(error.into()),
-        Err(error) => unreachable!("law and program are those of a history: {error}"),
+        Err(error) => Err(error.into()),
     }
 }
 

@@ -1,6 +1,5 @@
 //! The fit, from the data to the result.
 
-use contact::HistoryError;
 use interp::Table;
 
 use super::fixed_values;
@@ -184,7 +183,7 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
 fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
     let open = with_error(found, |_, error| error > UNDETERMINED);
     match error {
-        Error::History(cause @ HistoryError::UnlikeBodies { .. }) if !open.is_empty() => {
+        Error::Contact(cause @ contact::Error::UnlikeBodies { .. }) if !open.is_empty() => {
             let parameters = names_of(&found.problem, &open);
             Error::NotFitted(format!(
                 "the data do not determine {parameters}, and at the values found {cause}. Fix a number of the relaxation \

@@ -117,7 +117,12 @@ impl From<::contact::Error> for Failure {
         let of = |class| Self { class, ..failure };
         match error {
             Error::Table(error) => error.into(),
-            Error::Sticks { .. } => of("InputError"),
+            Error::Sticks { .. }
+            | Error::Refused(_)
+            | Error::NotOneDisc { .. }
+            | Error::GrowsAgain { .. }
+            | Error::Unreached { .. }
+            | Error::UnlikeBodies { .. } => of("InputError"),
             Error::LongZone {
                 zone, length, most, ..
             } => of("InputError")
@@ -226,6 +231,9 @@ impl From<fit::Error> for Failure {
         use fit::Error;
         let of = Self::new("FitError", &error);
         match error {
+            Error::Contact(::contact::Error::UnlikeBodies { .. }) => of.saying(&format!(
+                "{error}; if probe and substrate relax like the film, give all_relax=True"
+            )),
             Error::Contact(error) => error.into(),
             Error::Point {
                 name,
@@ -249,10 +257,6 @@ impl From<fit::Error> for Failure {
             Error::DifferentBodies { .. } => of.saying(&format!(
                 "{error}: all_relax=True states that all bodies relax"
             )),
-            Error::History(::contact::HistoryError::UnlikeBodies { .. }) => of.saying(&format!(
-                "{error}; if probe and substrate relax like the film, give all_relax=True"
-            )),
-            Error::History(error) => error.into(),
             Error::Start { cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of

@@ -33,13 +33,13 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
             Undetermined::Insensitive => {}
         }
     }
-    if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
-        return Some(
-            "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
-                 --sphere-modulus inf and, where there is a substrate, --substrate-modulus inf",
-        );
-    }
     let of_table = match (of_contact(cause), cause.downcast_ref()) {
+        (Some(contact::Error::UnlikeBodies { .. }), _) => {
+            return Some(
+                "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
+                 --sphere-modulus inf and, where there is a substrate, --substrate-modulus inf",
+            );
+        }
         (Some(contact::Error::LongZone { .. } | contact::Error::Tension { .. }), _) => {
             return Some("`tabulate pull-off --interaction-range` solves it");
         }
@@ -64,9 +64,6 @@ fn of_contact<'a>(cause: &'a (dyn std::error::Error + 'static)) -> Option<&'a co
         Some(::fit::Error::Contact(error)) => return Some(error),
         Some(::fit::Error::Layers(error)) => return of_contact(error),
         _ => {}
-    }
-    if let Some(contact::HistoryError::Contact(error)) = cause.downcast_ref() {
-        return Some(error);
     }
     cause.downcast_ref()
 }

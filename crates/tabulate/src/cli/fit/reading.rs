@@ -44,7 +44,7 @@ pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> an
         ::fit::Error::Times { .. } => anyhow!(
             "{error}; if they start again in each segment and the points follow at equal intervals, type --sample-interval S"
         ),
-        ::fit::Error::History(contact::HistoryError::UnlikeBodies { .. })
+        ::fit::Error::Contact(contact::Error::UnlikeBodies { .. })
         | ::fit::Error::DifferentBodies { .. } => {
             anyhow!("{error}; if sphere and substrate relax like the film: --all-relax")
         }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueHint, value_parser};
-use contact::{Contact, Control, Course, HistoryError, Hysteresis, Relaxation};
+use contact::{Contact, Control, Course, Hysteresis, Relaxation};
 use interp::{Elastic, System};
 use solve::stack::{Interface, Layer, Stack};
 
@@ -222,14 +222,12 @@ impl Arguments {
                 .map(|rigid| solved(bodies, rigid, reach))
                 .transpose()?;
             match follow(&contact, rigid.as_ref()) {
-                Err(HistoryError::Contact(
+                Err(
                     error @ contact::Error::OutsideRadii {
                         at_end_of_probe: false,
                         ..
                     },
-                )) => {
-                    refused = Some(error);
-                }
+                ) => refused = Some(error),
                 done => return Ok((contact, done?)),
             }
         }
