@@ -4,13 +4,15 @@ use acceptance::{Contacts, Refused, rigid_probe, solid};
 use contact::{Contact, Control, RateDependent, TimedState};
 use fit::report::line_plot;
 use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, LineSpeed, Parameter, Point, Solver,
+    Bodies, Direction, Experiment, Fit, Free, Kind, LineSpeed, Loss, Parameter, Point, Solver,
     WarningKind, forecast, simulate,
 };
 use interp::{Probe, System, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{doubts, fit_all, fitted, free_of, half_space, measurement, measurement_at};
+use crate::imagined::{
+    doubts, fit_all, fit_with, fitted, free_of, half_space, measurement, measurement_at,
+};
 use crate::recovery::SETS;
 use Parameter::{
     ContactPoint, DoublingSpeed, FilmModulus, SpeedExponent, WorkOfAdhesion, WorkOfAdhesionReceding,
@@ -138,21 +140,30 @@ fn the_points_of_a_plot_over_speed_are_those_of_the_law() {
     line_plot(&constant, &exact, 0).refused("does not depend on the speed");
 }
 
-/// The values scatter by 0.8 to 1.2 of their standard errors. Most errors are somewhat too large: what is added because the
+/// The values scatter by 0.7 to 1.2 of their standard errors, and by 0.6 to 1 of them where no noise is stated. Most errors are somewhat too large: what is added because the
 /// speeds of neighbours are read from the same radii counts for the modulus, too, which the loads tell as well.
 #[test]
 fn the_truth_of_noisy_lines_is_within_the_intervals() {
-    for (name, noise, counts, law) in [
-        ("few", [2e-7, 2e-6], [30, 60], LINE),
-        ("many", [4e-7, 2e-6], [100, 300], LINE),
-        ("slow", [2e-7, 2e-6], [30, 60], [0.03, 1e-7, 0.3]),
+    let few = ([2e-7, 2e-6], [30, 60]);
+    let many = ([4e-7, 2e-6], [100, 300]);
+    let slow = [0.03, 1e-7, 0.3];
+    for (name, (noise, counts), law, loss, is_stated) in [
+        ("few", few, LINE, Loss::Squares, true),
+        ("many", many, LINE, Loss::Squares, true),
+        ("slow", few, slow, Loss::Squares, true),
+        // Single points scatter by less than their weights say, which hold for means over neighbours: a loss that took
+        // this scatter as it is would tell errors too small by a factor of 1.7.
+        ("robust", many, LINE, Loss::HUBER, true),
+        ("no noise stated", many, LINE, Loss::Squares, false),
     ] {
         let exact = read(&moved(law), counts);
         let fit_of = |seed| -> Fit {
             let mut measured = with_noise(exact.clone(), noise, seed);
-            measured.abscissa_noise = noise[0];
-            measured.noise = Some(noise[1]);
-            fitted(&measured, &free_of(&LAW))
+            if is_stated {
+                measured.abscissa_noise = noise[0];
+                measured.noise = Some(noise[1]);
+            }
+            fit_with(&measured, &free_of(&LAW), |options| options.loss = loss).expect("sound")
         };
         let fits: Vec<Fit> = (0..SETS).into_par_iter().map(fit_of).collect();
         let truth = with_law(exact.clone(), law);
@@ -164,8 +175,9 @@ fn the_truth_of_noisy_lines_is_within_the_intervals() {
             });
             let deviations = (squares.sum::<f64>() / SETS as f64).sqrt();
             println!("{name}: {parameter}, {deviations:.2} standard errors");
+            let least = if is_stated { 0.65 } else { 0.5 };
             assert!(
-                (0.65..1.2).contains(&deviations),
+                (least..1.2).contains(&deviations),
                 "{name}, {parameter}: {deviations}"
             );
         }

@@ -22,8 +22,11 @@ const FARTHEST: f64 = 3.0;
 /// What the error of an abscissa does to a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct AbscissaError {
-    /// What it adds to the standard deviation of the ordinate.
+    /// What it adds to the standard deviation of the ordinate. Where errors of neighbours are alike it is larger than that of
+    /// the point alone, so that means over neighbours have their true errors.
     pub part: f64,
+    /// What it adds to the standard deviation of the ordinate of the point alone.
+    pub alone: f64,
     /// From its abscissa to where the point most likely lies, in the unit of the abscissa.
     pub shift: f64,
     /// The slope of the model there.
@@ -159,6 +162,8 @@ impl Experiment {
                 error.speed_shift = (shift / (far * far) * line.deviation).clamp(-most, most);
                 error.speed_slope = by_speed / line.deviation;
             }
+            let of_point = (alone[i][0] * line.misfit.max(1.0).sqrt()).min(together[i][0]);
+            error.alone = error.part.hypot(of_point);
             error.part = error.part.hypot(together[i][0]);
         }
         Ok(errors)
@@ -233,8 +238,10 @@ impl Experiment {
             let far = (shift.abs() / FARTHEST).max(1.0);
             let shift = (shift / (far * far) * deviation(k)).clamp(-most(k), most(k));
             let change = odd + 2.0 * even * shift / width;
+            let part = change.hypot(even) / width * deviation(i);
             AbscissaError {
-                part: change.hypot(even) / width * deviation(i),
+                part,
+                alone: part,
                 shift,
                 slope: change / width,
                 ..AbscissaError::default()

@@ -36,16 +36,18 @@ pub struct LineSpeed {
     pub speed: f64,
     /// Its standard deviation, m/s; 0 is exact, and infinity one that is not known. A fit leaves such points out.
     pub deviation: f64,
+    /// The factor by which the variance of the speed is larger because the course of the radii is no cubic. Up to 1, as the
+    /// default 0, it stands for none.
+    pub misfit: f64,
     /// The factor by which the variance of a mean over neighbouring points is larger than with independent errors of
-    /// their speeds: speeds read from the same radii, and from a course that is no cubic, have errors that are alike. Up to
-    /// 1, as the default 0, it stands for independent errors.
+    /// their speeds, which are read from the same radii. Up to 1, as the default 0, it stands for independent errors.
     pub alike: f64,
 }
 
 impl LineSpeed {
     /// Returns the standard deviation with which a mean over neighbours whose errors are alike has its true error.
     fn deviation_of_mean(&self) -> f64 {
-        self.deviation * self.alike.max(1.0).sqrt()
+        self.deviation * (self.misfit.max(1.0) * self.alike.max(1.0)).sqrt()
     }
 }
 
@@ -116,7 +118,7 @@ impl Experiment {
     /// Each is the slope of a cubic through the radii of neighbours in time: so many on each side that the radius
     /// changes by 20 of its standard deviations, but at most a quarter of the points of the way (successive points in contact
     /// with one direction), and at most 1000. So its standard error is some 10 % where the line moves. The standard deviation of a radius is the known one, or
-    /// the one that neighbours show; where the radii are no cubic, [`LineSpeed::alike`] holds their residuals, too. At the
+    /// the one that neighbours show; where the radii are no cubic, [`LineSpeed::misfit`] tells their residuals. At the
     /// first and last three points of a way a slope would depend on how the radii bend: the standard deviation of the speed
     /// is infinite there.
     pub(crate) fn speeds_of_line(&self) -> Cow<'_, [LineSpeed]> {
@@ -325,20 +327,21 @@ fn speed(times: &[f64], radii: &[f64], at: f64, deviation: f64) -> LineSpeed {
         return LineSpeed {
             speed: 0.0,
             deviation: f64::INFINITY,
-            alike: 1.0,
+            ..LineSpeed::default()
         };
     };
     let cubic = inverse * right;
     let squares = pairs.map(|(row, radius)| (radius - row.dot(&cubic)).powi(2));
     let residual = squares.sum::<f64>() / (count - right.len() as f64);
     let noise = deviation * deviation;
-    // A course that is no cubic gives all points of the window nearly one error. It counts in `alike` alone, because where
+    // A course that is no cubic gives all points of the window nearly one error. It is told apart, because where
     // the speed most likely is follows from the noise of the radii.
     let variance = noise + count * (residual - noise).max(0.0);
     let own = if noise > 0.0 { noise } else { variance };
     LineSpeed {
         speed: -cubic[1] / scale,
         deviation: (own * inverse[(1, 1)]).sqrt() / scale,
-        alike: if own > 0.0 { variance / own } else { 1.0 } * count / (2 * FEWEST + 1) as f64,
+        misfit: if own > 0.0 { variance / own } else { 1.0 },
+        alike: count / (2 * FEWEST + 1) as f64,
     }
 }

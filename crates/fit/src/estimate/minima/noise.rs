@@ -41,7 +41,7 @@ pub(crate) fn estimate_noise(
     problem: &mut Problem<'_>,
     uncertainty: Uncertainty,
 ) -> (Uncertainty, bool) {
-    let Some(mut residuals) = problem.plain_residuals() else {
+    let Some(residuals) = problem.plain_residuals() else {
         return (uncertainty, false);
     };
     let of_files = of_files(problem, residuals.as_slice(), &uncertainty.leverages);
@@ -67,14 +67,19 @@ pub(crate) fn estimate_noise(
         changed |= (assigned.noise / noise).ln().abs() > CHANGE;
         assigned.noise = noise;
         for ((row, &i), before) in rows.zip(&points).zip(before) {
-            let ratio = before / assigned.deviation(i);
-            residuals[row] *= ratio;
-            jacobian.row_mut(row).scale_mut(ratio);
+            jacobian
+                .row_mut(row)
+                .scale_mut(before / assigned.deviation(i));
         }
     }
+    let residuals = problem.plain_residuals().zip(problem.residuals_alone());
+    let Some((residuals, alone)) = residuals else {
+        return (uncertainty, false);
+    };
     let (blocks, sizes) = (uncertainty.blocks, uncertainty.sizes);
+    let residuals = [residuals, alone];
     (
-        Uncertainty::new(jacobian, blocks, &residuals, problem.loss, sizes),
+        Uncertainty::new(jacobian, blocks, residuals, problem.loss, sizes),
         changed,
     )
 }
@@ -165,7 +170,7 @@ fn beside_abscissae(
         residuals.clear();
         let of_points = points.iter().zip(sizes.iter().zip(leverages));
         residuals.extend(of_points.map(|(&i, (size, leverage))| {
-            let deviation = tried.deviation(i);
+            let deviation = tried.deviation_alone(i);
             let free = (1.0 - leverage).max(f64::EPSILON);
             [
                 size / deviation / free.sqrt(),
@@ -206,7 +211,7 @@ fn beside_abscissae(
 /// Returns how many points without errors of the abscissae would tell the noise as well as these.
 fn told(assigned: &Assigned, leverages: &[f64]) -> f64 {
     let of_point = |(i, leverage): (usize, &f64)| {
-        let share = assigned.noise / assigned.deviation(i);
+        let share = assigned.noise / assigned.deviation_alone(i);
         (1.0 - leverage) * share.powi(4)
     };
     let points = assigned.counting_points();

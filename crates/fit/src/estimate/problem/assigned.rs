@@ -107,6 +107,14 @@ impl Assigned {
         }
     }
 
+    /// Returns the standard deviation of the residual of a point alone: smaller than [`Self::deviation`] where errors of
+    /// neighbours are alike.
+    pub fn deviation_alone(&self, i: usize) -> f64 {
+        let error = self.abscissa_errors.get(i);
+        let error = error.map_or(0.0, |error| error.alone);
+        self.own_deviation(i).hypot(error)
+    }
+
     /// Returns the noise of an ordinate that is known, or that neighbours show; 0 if neither is.
     pub fn seen_noise(&self) -> f64 {
         let known = self.experiment.usual_noise();

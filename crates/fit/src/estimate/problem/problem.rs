@@ -270,12 +270,22 @@ impl<'a> Problem<'a> {
     /// Returns the residuals of the points that count, model less data, in units of the noise, and
     /// those of the priors.
     pub fn plain_residuals(&self) -> Option<DVector<f64>> {
+        self.residuals_in(Assigned::deviation)
+    }
+
+    /// Returns [`Self::plain_residuals`] in units of the standard deviation of each point alone.
+    pub fn residuals_alone(&self) -> Option<DVector<f64>> {
+        self.residuals_in(Assigned::deviation_alone)
+    }
+
+    /// Returns the residuals in units of a deviation of each point, and those of the priors.
+    fn residuals_in(&self, deviation: fn(&Assigned, usize) -> f64) -> Option<DVector<f64>> {
         let predicted = self.predicted.as_ref()?;
         let mut residuals = Vec::with_capacity(self.counting() + self.slots.len());
         for (assigned, predicted) in self.assigned.iter().zip(predicted) {
             for i in assigned.counting_points() {
                 let difference = predicted.values[i] - assigned.experiment.compared(i);
-                residuals.push(difference / assigned.deviation(i));
+                residuals.push(difference / deviation(assigned, i));
             }
         }
         residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {

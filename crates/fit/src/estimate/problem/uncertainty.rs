@@ -46,20 +46,21 @@ pub(crate) struct Uncertainty {
 impl Uncertainty {
     /// Computes the uncertainty at the present values; `None` where there are no derivatives.
     pub fn of(problem: &Problem<'_>) -> Option<Self> {
-        let residuals = problem.plain_residuals()?;
+        let residuals = [problem.plain_residuals()?, problem.residuals_alone()?];
         let (jacobian, sizes) = problem.jacobian_of_sizes()?;
         if jacobian.nrows() < jacobian.ncols() {
             return None;
         }
         let blocks = problem.blocks();
-        Some(Self::new(jacobian, blocks, &residuals, problem.loss, sizes))
+        Some(Self::new(jacobian, blocks, residuals, problem.loss, sizes))
     }
 
-    /// Computes the uncertainty from derivatives and residuals.
+    /// Computes the uncertainty from derivatives and residuals, and these in units of the standard deviation of each point
+    /// alone, which tell how far they scatter.
     pub fn new(
         jacobian: DMatrix<f64>,
         blocks: Vec<Block>,
-        residuals: &DVector<f64>,
+        [residuals, alone]: [DVector<f64>; 2],
         loss: Loss,
         sizes: Vec<f64>,
     ) -> Self {
@@ -80,7 +81,7 @@ impl Uncertainty {
         });
         let leverages = left.row_iter().map(|row| row.norm_squared()).collect();
         let psi = residuals.map(|residual| influence(loss, residual).0);
-        let (scatter, slope) = scatter(loss, residuals, count);
+        let (scatter, slope) = scatter(loss, &alone, count);
         let short = left.tr_mul(&psi).norm() / scatter;
         Self {
             covariance: factor.tr_mul(&factor) * (scatter * scatter),
@@ -234,7 +235,7 @@ mod tests {
             let uncertainty = Uncertainty::new(
                 jacobian,
                 Vec::new(),
-                &DVector::zeros(9),
+                [DVector::zeros(9), DVector::zeros(9)],
                 Loss::Squares,
                 vec![1.0; 4],
             );
