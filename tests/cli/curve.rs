@@ -256,12 +256,15 @@ fn the_usual_radii_fit_the_sphere() {
 fn a_stiff_film_that_bends_is_told_of() {
     let workdir = workdir!();
     let bodies = "--sphere-modulus inf --film-thickness 1um --film-modulus 1GPa --film-poisson-ratio .3 \
-                  --substrate-poisson-ratio .3 --work-of-adhesion 0 --points 2";
+                  --substrate-poisson-ratio .3 --points 2 --work-of-adhesion";
     let cases = "
-        --probe cone --half-angle 89 --substrate-modulus 1MPa --from 0.1um --to 1um | may be no disc; 5.5
-        --probe cone --half-angle 89 --substrate-modulus 20MPa --from 0.1um --to 1um | none
-        --probe flat-punch --sphere-radius 2um --substrate-modulus 10MPa | 2.00e-6 m; may be no disc
-        --sphere-radius 10um --substrate-modulus 1MPa --from 1um --to 2.9um | of its thickness; stretched
+        0 --probe cone --half-angle 89 --substrate-modulus 1MPa --from 0.1um --to 1um | without adhesion may be no disc; 5.5
+        1uJ/m^2 --probe cone --half-angle 89 --substrate-modulus 1MPa --from 0.1um --to 1um | presses on may be no disc; 5.5
+        10mJ/m^2 --probe cone --half-angle 89.5 --substrate-modulus 1MPa --from 0.1um --to 1um | none
+        0 --probe cone --half-angle 89 --substrate-modulus 20MPa --from 0.1um --to 1um | none
+        0 --probe flat-punch --sphere-radius 2um --substrate-modulus 10MPa | 2.00e-6 m; may be no disc
+        1uJ/m^2 --probe flat-punch --sphere-radius 2um --substrate-modulus 10MPa | none
+        0 --sphere-radius 10um --substrate-modulus 1MPa --from 1um --to 2.9um | of its thickness; stretched
         ";
     assert_cases(cases, |[more, _]| {
         let notes = workdir.answer(format!("curve {bodies} {more}")).stderr;

@@ -230,6 +230,29 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     for (name, truth) in [("work_of_adhesion", 0.01), ("film_modulus", 7.5e5)] {
         assert_estimate(&object, name, truth, 0.01 * truth);
     }
+    let read = run(
+        "fit retract.csv",
+        "0.02",
+        "--free work-of-adhesion,film-modulus",
+    );
+    let names = [
+        "friction",
+        "stick; work-of-adhesion is that of the receding line",
+        "grown with 0 of it",
+    ];
+    assert_names(&read.stdout, &names);
+    let both = run(
+        "fit retract.csv",
+        "0.02",
+        "--free film-modulus,work-of-adhesion-receding",
+    );
+    assert_eq!(both.status, 1, "{}", both.stderr);
+    let names = [
+        "--free work-of-adhesion-receding",
+        "free work-of-adhesion,",
+        "--only retract",
+    ];
+    assert_names(&both.stderr, &names);
     // One work of adhesion describes these data with another modulus.
     let approach = run(plan, "0.01", "--segments approach");
     assert_ne!(approach.status, 0);

@@ -259,3 +259,32 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_told_of() {
     let run = workdir.answer(format!("{RELAXING} {alone} {program}"));
     assert!(!run.stderr.contains("pull at the probe"), "{run:?}");
 }
+
+/// What a contact leaves out in a force curve, it leaves out in time: friction on a thin film that keeps its volume, and the
+/// bending of a stiff one under a cone.
+#[test]
+fn what_curves_are_told_of_histories_are_told_of() {
+    let workdir = workdir!();
+    let notes = |bodies: &str| {
+        let law = "--relaxation=prony --relaxed-fraction=0.3 --relaxation-time=0.6 --points 3";
+        let run = workdir.answer(format!("history --sphere-modulus=inf {law} {bodies}"));
+        run.stderr
+    };
+    let gel = "--sphere-radius=100um --film-modulus=100kPa --film-poisson-ratio=0.5 --film-thickness=10um \
+               --substrate-modulus=inf --program 'penetration 0:0 1:0.9um'";
+    let gel = notes(gel);
+    assert_names(
+        &gel,
+        &["full friction", "a flat punch", "would be stiffer by 1"],
+    );
+    assert!(!gel.contains("--friction"), "{gel}");
+    let narrow = "--sphere-radius=100um --film-modulus=100kPa --film-poisson-ratio=0.5 --film-thickness=100um \
+                  --substrate-modulus=inf --program 'penetration 0:0 1:0.9um'";
+    assert_eq!(notes(narrow), "");
+    let stiff = "--probe=cone --half-angle=89 --film-modulus=1GPa --film-poisson-ratio=0.3 --film-thickness=1um \
+                 --substrate-modulus=1MPa --substrate-poisson-ratio=0.3 --all-relax --program 'penetration 0:0 1:0.4um'";
+    assert_names(
+        &notes(stiff),
+        &["may be no disc", "touches the probe farther outside"],
+    );
+}

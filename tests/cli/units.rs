@@ -31,9 +31,9 @@ fn quantities_with_a_unit_are_those_in_si_units() {
             "solve --stack stack.toml --sphere-modulus 2MPa --a-over-t 6.5",
         ],
         [
-            "history --specimen paper --sphere-modulus inf --film-modulus 2e4 --relaxation prony --relaxed-fraction 0.2 \
+            "history --specimen paper --sphere-modulus inf --film-modulus 2e4 --film-thickness 1e-4 --relaxation prony --relaxed-fraction 0.2 \
              --relaxation-time 0.002,0.5 --relaxation-weight 0.3,0.5 --program 'penetration 0:0 0.001:1e-8 2:0' --at 5e-4,1.5",
-            "history --specimen paper --sphere-modulus inf --film-modulus 20kPa --relaxation prony --relaxed-fraction 0.2 \
+            "history --specimen paper --sphere-modulus inf --film-modulus 20kPa --film-thickness 100um --relaxation prony --relaxed-fraction 0.2 \
              --relaxation-time 2ms,500ms --relaxation-weight 0.3,0.5 --program 'penetration 0s:0 1ms:10nm 2:0' --at 500us,1.5s",
         ],
     ];

@@ -3,7 +3,7 @@
 
 use acceptance::{assert_matches, layer, paper_system, solid, solved_contact, stack};
 use contact::{Contact, Error};
-use interp::Quantity;
+use interp::{Probe, Quantity, System};
 use solve::stack::{Interface, Layer, Stack};
 use solve::stack_curve;
 
@@ -128,4 +128,43 @@ fn compressibility_is_that_of_all_layers() {
         .expect("layers");
     let expected = two_layers().compressibility() * validity.a_over_t.powi(2);
     assert!((validity.compressibility / expected - 1.0).abs() <= 1e-14);
+}
+
+/// Under a flat punch a program that lets the contact be any set of rings found loads smaller by 4.2 %, 10.9 % and 3.5 % than
+/// those of a disc, on a stiff layer on a soft one on a rigid base, and the same load on a thin soft one that keeps its volume.
+/// At the last radius it is smaller by 0.3 %.
+#[test]
+fn a_stiff_layer_that_bends_under_a_flat_punch_is_told_of() {
+    for (young, poisson, thickness, interface, a_over_top, is_told) in [
+        (1e7, 0.3, 5.0, Interface::Bonded, 3.0, true),
+        (1e8, 0.5, 5.0, Interface::Bonded, 3.0, true),
+        (1e7, 0.5, 5.0, Interface::Sliding, 3.0, true),
+        (1e7, 0.5, 0.3, Interface::Bonded, 3.0, false),
+        (1e7, 0.3, 5.0, Interface::Bonded, 1.0, false),
+    ] {
+        let top = 2e-6;
+        let stiff = Layer {
+            interface,
+            ..layer(young, 0.3, top)
+        };
+        let layers = [layer(1e5, poisson, thickness * top), stiff];
+        let stack = stack(solid(f64::INFINITY, 0.0), &layers);
+        let radius = a_over_top * top;
+        let system = System {
+            probe: Probe::FlatPunch { radius },
+            ..stack.system(1e-3, f64::INFINITY)
+        };
+        let range = [0.5, 1.5].map(|of| of * radius / stack.thickness());
+        let curve = stack_curve(&stack, f64::INFINITY, range, 1e-8).expect("converges");
+        let contact = Contact::new(&system, curve).expect("its own curve");
+        let film = contact
+            .validity(radius)
+            .expect("in range")
+            .film
+            .expect("layers");
+        assert_eq!(
+            film.no_disc, is_told,
+            "{young:e} {poisson} {thickness} {a_over_top}"
+        );
+    }
 }

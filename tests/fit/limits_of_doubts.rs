@@ -161,6 +161,20 @@ fn contacts_on_a_stiff_film_that_are_no_discs_or_bend_it_are_doubted() {
         told.reverse();
         assert_eq!(told, kinds, "{half_angle} {young:e}");
     }
+    // The widest contact, of 12 times the thickness, is a disc, but narrower ones are not: at a/t = 1 a program that lets the
+    // contact be any set of rings finds 1.27 times the load.
+    let probe = Probe::Cone {
+        half_angle: 89.3_f64.to_radians(),
+    };
+    let bodies = Bodies::coated(&rigid_probe(probe, film(1e9), 1e-6, solid(1e6, 0.5)));
+    let radii = (1..=24).map(|i| 5e-7 * f64::from(i));
+    let mut plan = Experiment::new(measurement_at(Kind::LoadRadius, radii), bodies);
+    plan.work_of_adhesion = 0.0;
+    let told = plan.broken_assumptions(Table::embedded()).expect("sound");
+    assert!(
+        told.iter().any(|one| one.kind == WarningKind::NoDisc),
+        "{told:?}"
+    );
 }
 
 #[test]

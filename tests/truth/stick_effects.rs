@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{assert_matches, material, paper_system, rigid_probe, solid, solved};
-use contact::{Contact, Control};
+use contact::{Contact, Control, Hysteresis, Relaxation};
 use interp::{Curve, Material, Probe, System};
 use solve::Error;
 use solve::stick::{StickCurves, Sticking};
@@ -168,6 +168,43 @@ fn a_receding_line_has_the_energy_of_both_stresses() {
             let pull = 1.0 / gamma - left / grown.gamma_g;
             let energy = (left + pull * grown.gamma_s).hypot(pull * grown.gamma_t);
             assert!((energy - 1.0).abs() < 1e-7, "{ratio}, {x}: {energy}");
+        }
+    }
+}
+
+/// A sphere that sticks to a film which relaxes is pressed on without adhesion and pulled off with it. The loads are those of
+/// another program, which marches the stuck contact from radius to radius and adds up Ting's integrals. The line recedes where
+/// both stresses at its edge have the energy of the work of adhesion, with whatever ratio the curve was made.
+#[test]
+fn a_stuck_contact_that_relaxes_recedes_with_both_stresses() {
+    let probe = Probe::Paraboloid { radius: 1e-4 };
+    let system = rigid_probe(probe, solid(1e5, 0.5), 1e-5, solid(f64::INFINITY, 0.0));
+    let curves = StickCurves::new(&confined(), [1e-3, 2.2], 1e-8).expect("converges");
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.2]],
+    };
+    let program = [(0.0, 0.0), (1.0, 1e-6), (2.0, -1e-6)];
+    let times = [1.0, 1.1, 1.2, 1.3, 1.4];
+    let loads = [
+        5.74152e-6,
+        3.56521e-7,
+        -1.664586e-6,
+        -1.546997e-6,
+        -9.84592e-7,
+    ];
+    for ratio in [0.0, 0.5, 1.0] {
+        let curve = curves.receding(ratio).expect("a ratio");
+        let contact = Contact::new(&system, curve).expect("its own curve");
+        let history = contact.history(&law).expect("a law");
+        let line = Hysteresis::new(0.0, 1e-3).expect("a law");
+        let history = history.receding(line).expect("no growing adhesion");
+        let course = history.at(Control::Displacement, &program, &times, None);
+        let states = course.expect("in range").states;
+        for (at, load) in states.iter().zip(loads) {
+            let found = at.state.load;
+            let error = (found - load).abs() / loads[0];
+            assert!(error < 1e-6, "{ratio}: {found} at {}, not {load}", at.time);
         }
     }
 }

@@ -64,8 +64,8 @@ pub enum Error {
     /// A cohesive zone that is not short.
     #[error(
         "the cohesive zone is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
-         the correction for a short zone does not hold: give a larger stress of the attraction, or solve \
-         a zone of any length by a direct solve"
+         the correction for a short zone does not hold: give a larger stress of the attraction, or under a \
+         paraboloid solve a zone of any length by a direct solve"
     )]
     LongZone {
         /// The length of the zone, m.
@@ -81,7 +81,7 @@ pub enum Error {
     #[error(
         "the mean tension in the contact is {tension:?} Pa, more than {most} times the stress of the attraction, {stress:?} \
          Pa: the contact opens inside, and the correction for a short zone does not hold: give a larger stress of the \
-         attraction, or solve a zone of any length by a direct solve"
+         attraction, or under a paraboloid solve a zone of any length by a direct solve"
     )]
     Tension {
         /// The mean tension, Pa.

@@ -97,6 +97,10 @@ impl Contact {
     /// Returns this contact in time: all bodies that deform relax by one function, and the modulus
     /// of the contact is its `E_ref`.
     ///
+    /// With full friction an approach and a retract are exact. Where the contact grows again, its points are taken to stick
+    /// where they would stick at a first touch: up to `a/t` of 1.4 a simulation without this found loads within 5e-4 of the
+    /// largest one.
+    ///
     /// # Errors
     /// As [`Relaxation::check`]; [`interp::Error::OtherProbe`] for a flat punch,
     /// whose load is the stiffness times `int phi d delta`.

@@ -1,5 +1,7 @@
 //! What all steps of a measured history need.
 
+use interp::Curve;
+
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
 use crate::{Contact, Error, Input};
@@ -23,6 +25,8 @@ pub(super) struct Setting<'a> {
 impl Setting<'_> {
     /// Returns the flat-punch penetration (m) by which adhesion lowers a contact that recedes and had a penetration (m)
     /// without it.
+    ///
+    /// With full friction it is that of a punch that sticks, because the contact has grown without adhesion.
     pub fn lowers(&self, penetration: f64) -> Result<f64, Error> {
         let Some(work) = self.receding else {
             return Ok(0.0);
@@ -33,7 +37,11 @@ impl Setting<'_> {
         }
         let mechanics = self.contact.mechanics();
         let edge = mechanics.edge_singularity(radius, work)?;
-        let quantities = self.contact.quantities(radius)?;
+        let punch = self.contact.curve().and_then(Curve::stick);
+        let quantities = match self.contact.system().zip(punch) {
+            Some((system, punch)) => punch.quantities(radius / system.film_thickness)?,
+            None => self.contact.quantities(radius)?,
+        };
         Ok(mechanics
             .lowered_by(radius, edge, quantities.eeq, quantities.gamma)
             .penetration)

@@ -217,7 +217,8 @@ impl Experiment {
             Parameter::FilmThickness if bodies.are_half_space() => "a half-space has no thickness",
             Parameter::WorkOfAdhesionReceding if matches!(bodies.solver, Solver::Stick { .. }) => {
                 "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
-                 keeps: give this ratio to the solver, and points of retract only"
+                 keeps: give the solver this ratio, and points of retract only; the work of adhesion that is found is \
+                 then that of the receding line"
             }
             _ if parameter.is_of_film() && !bodies.have_film() => {
                 return Some(format!("it has layers instead of one film; {}", names()).into());

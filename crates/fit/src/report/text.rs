@@ -12,7 +12,7 @@ use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
     Bodies, Combination, Direction, Estimate, Experiment, Fit, Fixed, Forecast, LayerQuantity,
-    Measurement, ModulusBias, NamedLayer, Parameter, Point, Warning,
+    Measurement, ModulusBias, NamedLayer, Parameter, Point, Solver, Warning,
 };
 
 /// The rise of chi^2 that tells a worse fit: five standard deviations.
@@ -247,6 +247,15 @@ fn fixed(
     }
     if experiment.bodies.are_half_space() {
         rows.push(("bodies".into(), "half-space".to_owned()));
+    }
+    if let Solver::Stick { advancing, .. } = experiment.bodies.solver
+        && advancing < 1.0
+    {
+        let part = (advancing * 1e4).round() / 1e4;
+        let text = format!(
+            "stick; work-of-adhesion is that of the receding line, and the contact has grown with {part} of it"
+        );
+        rows.push(("friction".into(), text));
     }
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
     let has_hardness = fit.estimate(Parameter::Hardness).is_some();

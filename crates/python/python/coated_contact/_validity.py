@@ -68,8 +68,9 @@ class Validity(OneLine):
         Whether the contact without adhesion may be no disc: the film is so much stiffer than the
         substrate that it bends as a plate. Under a cone on a film more than 150 times as stiff it
         touches the flank outside the disc; under a flat punch on one more than 20 times, and under
-        another flat end on one more than 30 times as stiff, it lifts off inside. That is not
-        modelled, and the loads are wrong. None on a half-space.
+        another flat end on one more than 30 times as stiff, it lifts off inside. So does a layer
+        under a flat punch on layers that are less than a tenth as stiff. That is not modelled, and
+        the loads are wrong. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
         ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),

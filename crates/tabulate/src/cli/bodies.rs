@@ -157,6 +157,28 @@ impl BodiesArguments {
     }
 }
 
+/// Notes on standard error that contacts between two radii (m), with a work of adhesion (J/m^2), may be no discs.
+pub fn note_no_disc(contact: &Contact, radii: [f64; 2], work_of_adhesion: f64) {
+    let Some(a) = contact.first_no_disc(radii, work_of_adhesion) else {
+        return;
+    };
+    let [which, how] = if work_of_adhesion == 0.0 {
+        [
+            "a contact without adhesion",
+            ", touches the probe farther outside, or lifts off inside",
+        ]
+    } else {
+        [
+            "a contact that a load presses on",
+            " and touches the probe farther outside",
+        ]
+    };
+    note(&format!(
+        "From a contact radius of about {a:.2e} m on, {which} may be no disc: the film is so much stiffer than what lies below \
+         it that it bends{how}. This is not modelled, and the loads may be wrong. Under a paraboloid and a sphere it is a disc."
+    ));
+}
+
 impl Bodies {
     /// Notes on standard error that a contact radius (m) is too large for a paraboloid to stand for a
     /// sphere, or that another probe is steep there.

@@ -7,9 +7,8 @@ use clap::value_parser;
 use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
-use super::bodies::Bodies;
+use super::bodies::{Bodies, note_no_disc};
 use super::friction::{self, ContactArguments};
-use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
@@ -139,11 +138,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Source::Range(_) => None,
     };
     bodies.note_strain(contact, to);
-    if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
-        note_no_disc(contact, [from, to]);
+    if let Some(contact) = contact {
+        note_no_disc(contact, [from, to], states.work_of_adhesion);
     }
     if sticks.is_none() {
-        friction::note_size(&bodies, to);
+        friction::note_size(&bodies, to, true);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let columns = [
@@ -162,25 +161,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         writer.write_record(row.into_iter().map(number))?;
     }
     output.write(&writer.into_inner()?)
-}
-
-/// Notes on standard error that contacts without adhesion, between two radii (m), may be no discs.
-fn note_no_disc(contact: &Contact, [from, to]: [f64; 2]) {
-    /// The number of radii that are tried.
-    const COUNT: i32 = 50;
-    let ratio = (to / from).powf(1.0 / f64::from(COUNT));
-    let mut radii = (0..=COUNT).map(|i| from * ratio.powi(i));
-    let no_disc = |a: &f64| {
-        let film = contact.validity(*a).ok().and_then(|found| found.film);
-        film.is_some_and(|film| film.no_disc)
-    };
-    if let Some(a) = radii.find(no_disc) {
-        note(&format!(
-            "From a contact radius of about {a:.2e} m on, a contact without adhesion may be no disc: the film is so much \
-             stiffer than what lies below it that it bends, touches the probe farther outside, or lifts off inside. This is \
-             not modelled, and the loads may be wrong. Under a paraboloid and a sphere it is a disc."
-        ));
-    }
 }
 
 impl Arguments {

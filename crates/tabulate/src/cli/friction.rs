@@ -277,8 +277,9 @@ fn with_any_probe(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
 }
 
 /// Notes on standard error by how much full friction would stiffen a contact of `bodies` without
-/// friction, of radius `a` (m), where that is much. It says nothing where the punch is not solved.
-pub fn note_size(bodies: &Bodies, a: f64) {
+/// friction, of radius `a` (m), where that is much. It says nothing where the punch is not solved, and recommends a
+/// contact with friction where the command `solves` one.
+pub fn note_size(bodies: &Bodies, a: f64, solves: bool) {
     /// The part of the stiffness that is worth a note. Half of it, the part of the load under a narrow
     /// sphere, is as much as a paraboloid in place of a wide sphere changes.
     const MUCH: f64 = 0.05;
@@ -293,7 +294,7 @@ pub fn note_size(bodies: &Bodies, a: f64) {
     if let Ok((a, ratio, is_solved)) = found
         && ratio > 1.0 + MUCH
     {
-        let recommended = if is_solved && a <= reach(bodies) {
+        let recommended = if solves && is_solved && a <= reach(bodies) {
             " --friction stick solves contacts with full friction, without a table and without --interaction-range."
         } else {
             ""

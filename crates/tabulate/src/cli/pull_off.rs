@@ -153,7 +153,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if state.contact_radius > 0.0 {
         bodies.note_strain(contact.as_ref(), state.contact_radius);
         if sticks.is_none() {
-            friction::note_size(&bodies, state.contact_radius);
+            friction::note_size(&bodies, state.contact_radius, true);
         }
     }
     print(text.as_bytes())

@@ -135,7 +135,7 @@ fn doubts(
             film.bending
         )));
     }
-    if film.is_some_and(|film| film.no_disc) {
+    if let Some(a) = contact.first_no_disc([least, a], 0.0) {
         warnings.push(WarningKind::NoDisc.with(format!(
             "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
              lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \

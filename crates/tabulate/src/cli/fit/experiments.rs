@@ -149,6 +149,16 @@ impl KnownArguments {
         Ok(())
     }
 
+    /// Refuses a free work of adhesion of the receding line beside full friction, under which it is the work of adhesion.
+    pub fn accept_free(&self, free: &[Parameter]) -> anyhow::Result<()> {
+        let receding = Parameter::WorkOfAdhesionReceding;
+        ensure!(
+            !self.history.is_stuck() || !free.contains(&receding),
+            "--free {receding}: {TWO_WORKS}: free work-of-adhesion, and keep the retract (--only retract)"
+        );
+        Ok(())
+    }
+
     /// Joins measurements with what is known about them. `times` are those of the points, where they
     /// are known.
     pub fn experiments(

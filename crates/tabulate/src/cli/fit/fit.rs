@@ -371,6 +371,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    arguments.known.accept_free(&parameters)?;
     if arguments.data.len() > MANY_FILES && free.iter().any(|one| one.scope == Scope::Own) {
         note(&format!(
             "{} files are fitted together, and some parameters are each file's own: the time grows with more than the square of \

@@ -12,7 +12,8 @@ use solve::stack::{Interface, Layer, Stack};
 use super::program;
 use super::program::{Imposed, Program};
 use super::relaxation::RelaxationArguments;
-use crate::cli::bodies::{Bodies, BodiesArguments};
+use crate::cli::bodies::{Bodies, BodiesArguments, note_no_disc};
+use crate::cli::friction;
 use crate::cli::note;
 use crate::cli::output::Output;
 use crate::cli::points::{evenly, number};
@@ -28,7 +29,8 @@ use crate::cli::table_name::{self, TableName};
 /// the instantaneous modulus, or under a power law the modulus at --reference-time.
 ///
 /// The effect of the film thickness is exact at any time. Only a receding contact line has adhesion
-/// (--work-of-adhesion-receding), after one approach.
+/// (--work-of-adhesion-receding), after one approach. The surfaces slide freely. Where full friction
+/// would stiffen the widest contact by more than 5 %, a note on standard error says so.
 ///
 /// Sphere and substrate do not relax. Where they deform, too, the program estimates the
 /// error that this causes, and refuses errors above 2 %. With --all-relax they relax like the film.
@@ -135,6 +137,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let widest = radii.fold(0.0, f64::max);
     bodies.note_large_contact(widest);
     bodies.note_strain(Some(&contact), widest);
+    if widest > 0.0 {
+        /// The part of the widest radius from which on contacts are tried.
+        const FIRST: f64 = 1e-2;
+        // The contact grows from the first touch, without adhesion.
+        let [touch, _] = bodies.system.probe.contact_radii();
+        note_no_disc(&contact, [touch.max(FIRST * widest), widest], 0.0);
+        friction::note_size(&bodies, widest, false);
+    }
     arguments.warn(&bodies, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
