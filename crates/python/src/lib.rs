@@ -58,6 +58,8 @@ mod _core {
     #[pymodule_export]
     use super::model::{branches, forecast, predict, simulate};
     #[pymodule_export]
+    use super::parameter::unit_of;
+    #[pymodule_export]
     use super::read::read_file;
     #[pymodule_export]
     use super::solve::{solve, solve_stack, solve_stick_punch, stick_stiffening};
@@ -77,6 +79,8 @@ mod _core {
             ::contact::ZoneSize::TENSE,
         );
         module.add("JKR_LIMITS", limits)?;
+        let parameters = ::fit::Parameter::ALL.map(::fit::Parameter::identifier);
+        module.add("PARAMETERS", parameters.to_vec())?;
         module.add("writes_hdf5", tabulate::table::WRITES_HDF5)
     }
 }

@@ -57,6 +57,18 @@ pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
     })
 }
 
+/// Returns the SI unit of the parameter of a name in Python; none of other words.
+#[pyfunction]
+pub fn unit_of(name: &str) -> Option<&'static str> {
+    let found = parameter(name).ok()?;
+    // Names of the program have hyphens, and a layer has the name that it was given.
+    let is_name = match found {
+        Parameter::Layer(..) => found.identifier() == name,
+        _ => !name.contains('-'),
+    };
+    is_name.then(|| found.unit())
+}
+
 /// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
 pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
     let plain = name.replace('_', "-").parse();

@@ -146,7 +146,8 @@ impl Experiment {
         if !self.has_line_law() {
             return self.errors_of_abscissae(contact_of, branches, order, noise);
         }
-        let (here, [alone, together]) = self.errors_of_line_speeds(contact_of, branches, order)?;
+        let here = self.predict_with(contact_of, branches, order, &[])?.values;
+        let [alone, together] = self.errors_of_line_speeds(contact_of, branches, order, &here)?;
         let beside_speeds = |i: usize| noise(i).hypot(alone[i][0]);
         let mut errors = self.errors_of_abscissae(contact_of, branches, order, beside_speeds)?;
         errors.resize(here.len(), AbscissaError::default());

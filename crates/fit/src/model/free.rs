@@ -47,20 +47,14 @@ impl Free {
     /// Frees a parameter: without bounds, without a prior, and from a start that the data give.
     ///
     /// Offsets, contact points and baselines are each experiment's own, all else is shared.
-    pub const fn new(parameter: Parameter) -> Self {
-        let scope = match parameter {
-            Parameter::LoadOffset
-            | Parameter::ContactPoint
-            | Parameter::Baseline
-            | Parameter::BaselineSlope => Scope::Own,
-            _ => Scope::Shared,
-        };
+    pub fn new(parameter: Parameter) -> Self {
+        let is_own = Parameter::ZEROS.contains(&parameter);
         Self {
             parameter,
             start: None,
             bounds: None,
             prior: None,
-            scope,
+            scope: if is_own { Scope::Own } else { Scope::Shared },
         }
     }
 

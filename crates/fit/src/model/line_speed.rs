@@ -229,7 +229,7 @@ impl Experiment {
         }
     }
 
-    /// Returns the ordinates of the model, N or m, and what the error of its speed does to each: as that of a point alone,
+    /// Returns what the error of its speed does to each ordinate of the model, which is `here`: as that of a point alone,
     /// and so that means over neighbours, whose errors are alike, have their true errors. The first number of each is the
     /// part of the standard deviation of the ordinate that is due to it, and the second the change of the ordinate over one
     /// standard deviation of the speed.
@@ -241,7 +241,8 @@ impl Experiment {
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
-    ) -> Result<(Vec<f64>, [Vec<[f64; 2]>; 2]), Error> {
+        here: &[f64],
+    ) -> Result<[Vec<[f64; 2]>; 2], Error> {
         let predicted = |by: f64, deviation: fn(&LineSpeed) -> f64| {
             let mut moved = self.clone();
             for one in &mut moved.line_speeds {
@@ -252,7 +253,6 @@ impl Experiment {
             let predicted = moved.predict_with(contact_of, branches, order, &[])?;
             Ok::<_, Error>(predicted.values)
         };
-        let here = predicted(0.0, |_| 0.0)?;
         let changes = |deviation| {
             let mut changes = vec![[0.0_f64; 2]; here.len()];
             for step in STEPS {
@@ -268,8 +268,7 @@ impl Experiment {
             Ok::<_, Error>(changes)
         };
         let alone = changes(|line| line.deviation)?;
-        let together = changes(LineSpeed::deviation_of_mean)?;
-        Ok((here, [alone, together]))
+        Ok([alone, changes(LineSpeed::deviation_of_mean)?])
     }
 
     /// Returns the energy release rate that a measured load or penetration at a contact radius tells, J/m^2.

@@ -10,6 +10,7 @@ import numpy as np
 from numpy import ma
 from numpy.typing import NDArray
 
+from . import _core
 from ._arrays import UNIT_OF, fixed, labels_of, number, paired_labels, real
 from ._bodies import HalfSpace, System
 from ._control import check_friction
@@ -28,48 +29,18 @@ Kind = Literal[
     "stiffness-load",
     "stiffness-depth",
 ]
-# The name of a parameter: one of UNITS_OF, or LAYER.modulus, LAYER.thickness or
-# LAYER.interface_stiffness of the layer of a stack that has the name LAYER.
+# The name of a parameter: one of _core.PARAMETERS, LAYER.modulus, LAYER.thickness or
+# LAYER.interface_stiffness of the layer of a stack that has the name LAYER, or with a number that
+# of a further relaxation time or its weight: "relaxation_time.2".
 ParameterName = str
-
-UNITS_OF: dict[str, str] = {
-    "sphere_modulus": "Pa",
-    "film_modulus": "Pa",
-    "film_poisson_ratio": "1",
-    "film_thickness": "m",
-    "work_of_adhesion": "J/m^2",
-    "work_of_adhesion_receding": "J/m^2",
-    "doubling_speed": "m/s",
-    "speed_exponent": "1",
-    "load_offset": "N",
-    "contact_point": "m",
-    "baseline": "N",
-    "baseline_slope": "N/m",
-    "stiffness": "N/m",
-    "hardness": "Pa",
-    "tip_rounding": "m",
-    "frame_compliance": "m/N",
-    "relaxed_fraction": "1",
-    "relaxation_exponent": "1",
-    "relaxation_time": "s",
-}
-
-
-# Further relaxation times and their weights end with a number: "relaxation_time.2".
-UNITS_OF_TERMS = {"relaxation_time": "s", "relaxation_weight": "1"}
-UNITS_OF_LAYERS = {"modulus": "Pa", "thickness": "m", "interface_stiffness": "Pa/m"}
 
 
 def unit_of(parameter: object) -> str:
     """Return the SI unit of a parameter; refuse other words."""
-    if isinstance(parameter, str):
-        layer, _, what = parameter.rpartition(".")
-        unit = UNITS_OF_LAYERS.get(what) if layer else UNITS_OF.get(parameter)
-        if layer in UNITS_OF_TERMS and what.isdecimal() and 0 < int(what) < 256:
-            unit = UNITS_OF_TERMS[layer]
-        if unit is not None:
-            return unit
-    words = ", ".join(f'"{word}"' for word in UNITS_OF)
+    unit: str | None = _core.unit_of(parameter) if isinstance(parameter, str) else None
+    if unit is not None:
+        return unit
+    words = ", ".join(f'"{word}"' for word in _core.PARAMETERS)
     raise FitError(
         f"parameter = {parameter!r} cannot be used: give one of {words}, or with a stack "
         '"LAYER.modulus", "LAYER.thickness" or "LAYER.interface_stiffness" of a layer by its name',
