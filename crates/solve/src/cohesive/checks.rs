@@ -4,6 +4,7 @@
 use std::array::from_fn;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
+use crate::cohesive::Cohesive;
 use crate::cohesive::annulus::{Annulus, rule};
 use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::waves::{Group, cosine_sum};
@@ -14,14 +15,10 @@ use crate::stick::integration::interpolation;
 /// A solution at one contact radius, in the units of
 /// [`fixed_radius`](crate::cohesive::fixed_radius).
 pub struct Solution<'a> {
+    /// The bodies.
+    pub bodies: &'a Cohesive,
     /// The annulus.
     pub annulus: Annulus,
-    /// `1/R`.
-    pub curvature: f64,
-    /// `tau = 2 sigma0`.
-    pub traction: f64,
-    /// The modulus `es`.
-    pub modulus: f64,
     /// The fields.
     pub part: Part,
     /// The wave numbers of its spectrum, a multiple of the lanes.
@@ -58,19 +55,17 @@ impl Solution<'_> {
         // pi/2 - arcsin(y) of y = 2 (a^2-r^2)/(c^2-r^2) - 1.
         let share = square / ((c - r) * (c + r));
         let outside = 2.0 * (1.0 - share).max(0.0).sqrt().asin();
-        -FRAC_2_PI / self.traction * (square.sqrt() * inside + 0.5 * self.traction * outside)
+        let traction = self.bodies.traction;
+        -FRAC_2_PI / traction * (square.sqrt() * inside + 0.5 * traction * outside)
     }
 
-    /// Returns the least pressure over `sigma0` inside the contact, and its radius.
-    pub fn least_pressure(&self) -> (f64, f64) {
+    /// Returns the least pressure over `sigma0` inside the contact.
+    pub fn least_pressure(&self) -> f64 {
         const PLACES: usize = 32;
         let place = |i: usize| (FRAC_PI_2 * (i as f64 + 0.5) / PLACES as f64).sin();
         (0..PLACES)
-            .map(|i| self.annulus.inner * place(i))
-            .map(|r| (self.pressure(r), r))
-            .fold((f64::INFINITY, 0.0), |least, next| {
-                if next.0 < least.0 { next } else { least }
-            })
+            .map(|i| self.pressure(self.annulus.inner * place(i)))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Returns the gap at each of the radii `r > a`, which ascend.
@@ -80,6 +75,7 @@ impl Solution<'_> {
     pub fn gaps(&self, radii: &[f64]) -> Vec<f64> {
         const LEAST: usize = 16;
         let (a, c) = (self.annulus.inner, self.annulus.outer);
+        let modulus = self.bodies.symbol.modulus();
         let end = radii[radii.len() - 1];
         // The compliance smooths the rest over the thickness of the top layer, 1.
         let count = LEAST + (4.0 * (end - a)).min(48.0) as usize;
@@ -90,13 +86,14 @@ impl Solution<'_> {
             .iter()
             .map(|s| {
                 let wave = cosine_sum(&self.part.spectrum, self.q, *s);
-                wave / self.modulus - self.part.penetration + s * s * self.curvature
+                wave / modulus - self.part.penetration + s * s * self.bodies.curvature
             })
             .collect();
         let factors = barycentric_factors(count);
         let phi = |s: f64| {
             let height = ((c - s) * (c + s)).max(0.0).sqrt();
-            dot(&interpolation(&nodes, &factors, s), &rest) - self.traction * height / self.modulus
+            dot(&interpolation(&nodes, &factors, s), &rest)
+                - self.bodies.traction * height / modulus
         };
         radii
             .iter()

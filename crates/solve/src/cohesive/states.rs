@@ -108,7 +108,7 @@ impl Cohesive {
 
     /// Solves a contact radius, m, with an annulus near a `width` if one is given.
     pub(super) fn solution<'a>(
-        &self,
+        &'a self,
         contact: &'a mut FixedRadius<'_>,
         contact_radius: f64,
         width: Option<f64>,
@@ -116,10 +116,8 @@ impl Cohesive {
         let annulus = self.annulus(contact, contact_radius, width)?;
         let (parts, q) = contact.parts(&annulus);
         Ok(Solution {
+            bodies: self,
             annulus,
-            curvature: self.curvature,
-            traction: self.traction,
-            modulus: self.symbol.modulus(),
             part: Part::sum(&parts, [self.curvature, self.traction]),
             q,
         })
@@ -195,8 +193,7 @@ impl Cohesive {
         /// The accuracy of the pressures and gaps that are compared.
         const ACCURACY: f64 = 1e-6;
         let Annulus { inner, outer, .. } = solution.annulus;
-        let (least, _) = solution.least_pressure();
-        if least < -1.0 - ACCURACY {
+        if solution.least_pressure() < -1.0 - ACCURACY {
             let what = "the attraction inside would be larger than its largest stress: the contact would open there";
             return Err(self.no_contact(inner, what));
         }
