@@ -19,10 +19,9 @@ use interp::{Curve, Quantities};
 
 use crate::Error;
 use crate::adaptive_curve::{CURVE_TOLERANCE, check_order};
-use crate::error::WITH_STICK;
 use crate::estimate::difference;
 use crate::stick::growth::Grown;
-use crate::stick::sticking::{GrownContact, Sticking};
+use crate::stick::sticking::{GrownContact, Sticking, not_converged};
 
 /// The share of the tolerance of a curve for the solves, and for the spline.
 const SHARE: f64 = 0.5;
@@ -54,7 +53,6 @@ impl Grown {
 /// The curves of one sphere that sticks to one film or stack of layers.
 pub struct StickCurves {
     grown: GrownContact,
-    sticking: Sticking,
     range: [f64; 2],
     tolerance: f64,
     /// The curve of a contact that was pressed on without attraction, and of one with one work of
@@ -80,23 +78,12 @@ impl StickCurves {
         Error::check("a_over_t", from, [1e-6, to / (1.0 + 1e-6)])?;
         let grown = sticking.grown(to, 2.0, SHARE * tolerance);
         let grown = grown.map_err(|error| match error {
-            Error::NotConverged {
-                a_over_t,
-                of,
-                reached,
-                ..
-            } => Error::NotConverged {
-                a_over_t,
-                of,
-                tolerance,
-                reached: reached / SHARE,
-            },
+            Error::NotConverged { reached, .. } => not_converged(to, tolerance, reached / SHARE),
             other => other,
         })?;
-        let ends = splines(&grown, sticking, a_over_t, tolerance, [0.0, 1.0])?;
+        let ends = splines(&grown, a_over_t, tolerance, [0.0, 1.0])?;
         Ok(Self {
             grown,
-            sticking: sticking.clone(),
             range: a_over_t,
             tolerance,
             ends,
@@ -122,8 +109,7 @@ impl StickCurves {
         } else if ratio == 1.0 {
             one.clone()
         } else {
-            let (range, tolerance) = (self.range, self.tolerance);
-            let [curve] = splines(&self.grown, &self.sticking, range, tolerance, [ratio])?;
+            let [curve] = splines(&self.grown, self.range, self.tolerance, [ratio])?;
             curve
         };
         Ok(curve.with_stick(pressed))
@@ -146,7 +132,6 @@ impl StickCurves {
 /// Makes the splines of several ratios, with nodes as close as the tolerance needs.
 fn splines<const N: usize>(
     grown: &GrownContact,
-    sticking: &Sticking,
     [from, to]: [f64; 2],
     tolerance: f64,
     ratios: [f64; N],
@@ -165,7 +150,7 @@ fn splines<const N: usize>(
             .map(|i| at(i as f64 / pieces as f64))
             .map(|x| (x, quantities(x)))
             .collect();
-        let curves = Curve::through_each(&nodes, *sticking.material())?;
+        let curves = Curve::through_each(&nodes, *grown.sticking.material())?;
         // Between the nodes, where a spline is farthest from what it follows.
         let mut error: f64 = 0.0;
         for i in 0..pieces {
@@ -175,15 +160,10 @@ fn splines<const N: usize>(
             }
         }
         if error <= SHARE * tolerance {
-            return Ok(curves.map(|curve| sticking.mark(curve)));
+            return Ok(curves.map(|curve| grown.sticking.mark(curve)));
         }
         if distance < LEAST_DISTANCE.min(1e-3 * length) {
-            return Err(Error::NotConverged {
-                a_over_t: to,
-                of: WITH_STICK,
-                tolerance,
-                reached: error / SHARE,
-            });
+            return Err(not_converged(to, tolerance, error / SHARE));
         }
         distance *= 0.8 * (SHARE * tolerance / error).powf(1.0 / 6.0).clamp(0.2, 1.0);
     }

@@ -169,12 +169,6 @@ impl Sticking {
         Error::check("tolerance", tolerance, PUNCH_TOLERANCE)?;
         Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, self.most_of_punch()])?;
         let x = a_over_t * self.thickness_over_top;
-        let not_converged = |reached| Error::NotConverged {
-            a_over_t,
-            of: WITH_STICK,
-            tolerance,
-            reached,
-        };
         let [mut of_modes, mut of_panels] = [tolerance; 2];
         let mut reached = f64::INFINITY;
         for _ in 0..ROUNDS {
@@ -203,7 +197,7 @@ impl Sticking {
                 break;
             }
         }
-        Err(not_converged(reached))
+        Err(not_converged(a_over_t, tolerance, reached))
     }
 
     /// Takes the numbers of a field.
@@ -257,12 +251,7 @@ impl Sticking {
         let a_over_t = if is_end { most } else { a_over_t };
         Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, most])?;
         let x = a_over_t * self.thickness_over_top;
-        let not_converged = |reached| Error::NotConverged {
-            a_over_t,
-            of: WITH_STICK,
-            tolerance,
-            reached,
-        };
+        let not_converged = |reached| not_converged(a_over_t, tolerance, reached);
         // Errors of the punches grow where the equation differentiates them, and with the compliance of
         // long waves, which is large where a stiff film lies on a soft base.
         let of_long_waves = self.bodies.film * self.bodies.surface.x(LONG_WAVES / x);
@@ -288,8 +277,7 @@ impl Sticking {
                 return Ok(GrownContact {
                     largest: a_over_t,
                     growth: fine,
-                    thickness_over_top: self.thickness_over_top,
-                    factors: self.factors,
+                    sticking: self.clone(),
                     error,
                 });
             }
@@ -320,8 +308,7 @@ impl Sticking {
 pub struct GrownContact {
     largest: f64,
     growth: Growth,
-    thickness_over_top: f64,
-    factors: Quantities,
+    pub(super) sticking: Sticking,
     error: f64,
 }
 
@@ -337,10 +324,10 @@ impl GrownContact {
 
     /// Returns the numbers at a radius, which is not checked.
     pub(super) fn evaluate(&self, a_over_t: f64) -> Grown {
-        let of_top = self.growth.at(a_over_t * self.thickness_over_top);
+        let of_top = self.growth.at(a_over_t * self.sticking.thickness_over_top);
         let Quantities {
             pi0, eeq, gamma, ..
-        } = self.factors;
+        } = self.sticking.factors;
         Grown {
             a_over_t,
             eeq_s: eeq * of_top.eeq_s,
@@ -386,6 +373,16 @@ const RESOLVED: f64 = 1e-5;
 
 /// The part of the error of the round before above which a refinement has not helped.
 const STALLED: f64 = 0.7;
+
+/// The error of a contact with stick whose tolerance is not reached.
+pub(super) fn not_converged(a_over_t: f64, tolerance: f64, reached: f64) -> Error {
+    Error::NotConverged {
+        a_over_t,
+        of: WITH_STICK,
+        tolerance,
+        reached,
+    }
+}
 
 /// Returns the number of modes for a punch of radius `x`: twice that of the contact without
 /// friction.
