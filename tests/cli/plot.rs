@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use acceptance::{Refused, assert_near, ends, error_at, material, shipped, workdir};
 use contact::{ForceDisplacement, Jump, State};
-use interp::{Parameter, Probe, Table};
+use interp::{Parameter, Probe, Quantity, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
 use solve::stack::Interface;
-use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, interface, paper};
+use tabulate::plot::{error_map, fig4, force_displacement, interface, paper};
 
 /// The width of every figure in pixels.
 const WIDTH: u32 = 840;
@@ -25,16 +25,16 @@ fn close(value: f64, truth: f64, tolerance: f64, what: &str) {
 
 #[test]
 fn fig2_goes_from_one_published_limit_to_the_other() {
-    let data = fig2::data().unwrap();
+    let (pi0, limits) = paper::line(Quantity::Pi0).unwrap();
     // The substrate is 1e5 times as stiff as the sphere: the paper's 8/3 to 1e-5.
-    close(data.limits[0], 8.0 / 3.0 * 0.7, 1e-14, "thick film");
-    close(data.limits[1], 8.0 / 3.0, 1.1e-5, "thin film");
-    let (first, last) = (data.pi0[0], data.pi0[data.pi0.len() - 1]);
+    close(limits[0], 8.0 / 3.0 * 0.7, 1e-14, "thick film");
+    close(limits[1], 8.0 / 3.0, 1.1e-5, "thin film");
+    let (first, last) = (pi0[0], pi0[pi0.len() - 1]);
     assert_eq!([first[0], last[0]], [1e-3, 1e3]);
-    close(first[1], data.limits[0], 1e-6, "at 0.001");
-    close(last[1], data.limits[1], 1e-3, "at 1000");
-    let does_rise = data.pi0.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]);
-    assert!(does_rise, "{:?}", data.pi0);
+    close(first[1], limits[0], 1e-6, "at 0.001");
+    close(last[1], limits[1], 1e-3, "at 1000");
+    let does_rise = pi0.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]);
+    assert!(does_rise, "{pi0:?}");
 }
 
 /// From Hertz on a thick film to springs of the stiffness `E1*/t` under one that slides, `(pi/2) (x +
@@ -55,11 +55,13 @@ fn the_interface_matters_between_hertz_and_the_springs_of_a_sliding_film() {
 
 #[test]
 fn fig3_goes_from_and_to_the_published_limits() {
-    let data = fig3::data().unwrap();
-    for (limit, truth) in data.limits.into_iter().zip([0.7, 0.7_f64.sqrt(), 1.0]) {
+    let [(eeq, of_eeq), (gamma, of_gamma)] =
+        [Quantity::Eeq, Quantity::Gamma].map(|quantity| paper::line(quantity).unwrap());
+    let limits = of_eeq.into_iter().chain(of_gamma);
+    for (limit, truth) in limits.zip([0.7, 1.0, 0.7, 0.7_f64.sqrt()]) {
         close(limit, truth, 1.1e-5, "limit");
     }
-    for (line, to) in [(&data.eeq, 1.0), (&data.gamma, 0.7_f64.sqrt())] {
+    for (line, to) in [(&eeq, 1.0), (&gamma, 0.7_f64.sqrt())] {
         let (first, last) = (line[0], line[line.len() - 1]);
         assert_eq!([first[0], last[0]], [1e-3, 1e3]);
         close(first[1], 0.7, 1e-3, "at 0.001");
@@ -67,7 +69,7 @@ fn fig3_goes_from_and_to_the_published_limits() {
     }
     // Gamma^2 = es d(x Eeq)/dx, between neighbouring points of the figure: es (x2 Eeq2 - x1 Eeq1)
     // is the mean of Gamma^2.
-    for (eeq, gamma) in data.eeq.windows(2).zip(data.gamma.windows(2)) {
+    for (eeq, gamma) in eeq.windows(2).zip(gamma.windows(2)) {
         let ([x1, e1], [x2, e2]) = (eeq[0], eeq[1]);
         let square = 0.5 * (gamma[0][1].powi(2) + gamma[1][1].powi(2));
         let rate = 0.7 * (x2 * e2 - x1 * e1) / (x2 - x1);

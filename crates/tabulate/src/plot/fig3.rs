@@ -6,48 +6,16 @@ use interp::Quantity;
 use super::paper;
 use crate::Error;
 use figures::axis::Axis;
-use figures::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
+use figures::chart::{BLUE, Figure, Panel, Side, VERMILION};
 
-/// The data of the figure.
-#[derive(Clone, Debug)]
-pub struct Data {
-    /// `a/t` and `Eeq`.
-    pub eeq: Vec<Point>,
-    /// `a/t` and `Gamma`.
-    pub gamma: Vec<Point>,
-    /// The limits `es` of both on a thick film, `sqrt(es einf)` of `Gamma` on a thin film, and
-    /// `einf` of `Eeq` on a thin film.
-    pub limits: [f64; 3],
-}
-
-/// Computes the data from direct solves.
+/// Draws both quantities between their limits: `es` of both on a thick film, and on a thin film `einf` and
+/// `sqrt(es einf)`.
 ///
 /// # Errors
-/// Those of [`solve::curve`].
-pub fn data() -> Result<Data, Error> {
-    let curve = paper::quantities()?;
-    let line = |quantity| {
-        paper::spaced(paper::A_OVER_T, 301)
-            .map(|x| Ok([x, curve.quantity(quantity, x)?]))
-            .collect::<Result<_, Error>>()
-    };
-    let (thick, thin) = (
-        curve.material().thick_film_limit(),
-        curve.material().thin_film_limit(),
-    );
-    Ok(Data {
-        eeq: line(Quantity::Eeq)?,
-        gamma: line(Quantity::Gamma)?,
-        limits: [thick.eeq, thin.gamma, thin.eeq],
-    })
-}
-
-/// Draws both quantities between their limits.
-///
-/// # Errors
-/// Those of [`data`].
+/// Those of [`paper::line`].
 pub fn figure() -> Result<Figure, Error> {
-    let data = data()?;
+    let (eeq, [film, substrate]) = paper::line(Quantity::Eeq)?;
+    let (gamma, [_, edge]) = paper::line(Quantity::Gamma)?;
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear("normalised by E_{2}*", [0.65, 1.05]);
     let mut panel = Panel::new(
@@ -55,7 +23,6 @@ pub fn figure() -> Result<Figure, Error> {
         x,
         y,
     );
-    let [film, edge, substrate] = data.limits;
     panel
         .horizontal_guide(
             film,
@@ -73,13 +40,13 @@ pub fn figure() -> Result<Figure, Error> {
             Side::Left,
         )
         .named(
-            data.eeq,
+            eeq,
             BLUE,
             "E_{eq}, contact stiffness",
             (0.55, Side::AboveLeft),
         )
         .named(
-            data.gamma,
+            gamma,
             VERMILION,
             "Γ, edge singularity",
             (0.55, Side::BelowRight),

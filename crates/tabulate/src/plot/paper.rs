@@ -2,7 +2,8 @@
 //! coated substrate: the thin film limit*: an elastomer lens on an incompressible film on silicon.
 
 use contact::Contact;
-use interp::{Curve, Elastic, Probe, System};
+use figures::chart::Point;
+use interp::{Elastic, Probe, Quantity, System};
 
 use crate::Error;
 use solve::stack::{Interface, Stack};
@@ -38,12 +39,18 @@ pub fn system(film_thickness: f64) -> Result<System, Error> {
     })
 }
 
-/// Computes the quantities of Table 1 as functions of `a/t`, from direct solves.
+/// Computes the line of a quantity of Table 1 against `a/t` in Figs. 2 and 3, from direct solves, and its limits on a
+/// thick and on a thin film.
 ///
 /// # Errors
 /// Those of [`curve`].
-pub fn quantities() -> Result<Curve, Error> {
-    Ok(curve(&system(1e-6)?.material()?, A_OVER_T, TOLERANCE)?)
+pub fn line(quantity: Quantity) -> Result<(Vec<Point>, [f64; 2]), Error> {
+    let material = system(1e-6)?.material()?;
+    let curve = curve(&material, A_OVER_T, TOLERANCE)?;
+    let point = |a_over_t| Ok([a_over_t, curve.quantity(quantity, a_over_t)?]);
+    let points: Result<_, Error> = spaced(A_OVER_T, 301).map(point).collect();
+    let limits = [material.thick_film_limit(), material.thin_film_limit()];
+    Ok((points?, limits.map(|limit| limit.get(quantity))))
 }
 
 /// Computes the contact of a `probe` with a film of `film_thickness` (m) that an `interface` joins to
