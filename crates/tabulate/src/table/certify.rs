@@ -7,6 +7,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
 use crate::table::of_stack::stack_of;
+use crate::table::placement::between;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
 use solve::parallel::try_map;
@@ -218,7 +219,7 @@ impl<'a> Axis<'a> {
         if self.cells() == 0 {
             self.nodes[0]
         } else {
-            self.between(self.end(0), self.end(1), share)
+            between(self.parameter, [self.end(0), self.end(1)], share)
         }
     }
 
@@ -229,23 +230,14 @@ impl<'a> Axis<'a> {
             .clamp(0.0, 1.0))
     }
 
-    fn between(&self, low: f64, high: f64, share: f64) -> f64 {
-        let (from, to) = (
-            self.parameter.coordinate(low),
-            self.parameter.coordinate(high),
-        );
-        self.parameter
-            .value(from + (to - from) * share)
-            .clamp(low, high)
-    }
-
     /// Returns the middle of a random one of the widest cells, an eighth of all.
     fn middle_of_a_wide_cell(&self, random: &mut Pcg64Mcg) -> f64 {
         if self.cells() == 0 {
             return self.nodes[0];
         }
         let cell = self.widest[random.random_range(0..self.cells().div_ceil(8))];
-        self.between(self.nodes[cell], self.nodes[cell + 1], 0.5)
+        let ends = [self.nodes[cell], self.nodes[cell + 1]];
+        between(self.parameter, ends, 0.5)
     }
 }
 

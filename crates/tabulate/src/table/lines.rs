@@ -15,7 +15,7 @@ use crate::Error;
 use crate::stack::NamedStack;
 use crate::table::budget::Budget;
 use crate::table::extent::Extent;
-use crate::table::placement::{EVENNESS, places};
+use crate::table::placement::{EVENNESS, between, places};
 use crate::table::scene::Scene;
 use crate::table::sweep::{solve_for_table, solve_stack_for_table};
 use solve::larger;
@@ -51,11 +51,9 @@ impl Lines {
     pub(super) fn solve(
         scene: &Scene,
         along: Parameter,
-        [from, to]: [f64; 2],
+        range: [f64; 2],
         budget: Option<Budget<'_>>,
     ) -> Result<Self, Error> {
-        let (first, last) = (along.coordinate(from), along.coordinate(to));
-        let value = |place: f64| along.value(first + (last - first) * place).clamp(from, to);
         let lines = lines(scene, along);
         let width = lines.len() * scene.quantities.len();
         let solve = |places: &[f64]| -> Result<Vec<f64>, Error> {
@@ -64,7 +62,7 @@ impl Lines {
                 .flat_map(|&place| lines.iter().map(move |line| (place, line)))
                 .map(|(place, line)| {
                     let mut point = *line;
-                    point[along.dimension()] = value(place);
+                    point[along.dimension()] = between(along, range, place);
                     point
                 })
                 .collect();
@@ -231,16 +229,13 @@ fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     let line = |i: usize| {
         let mut line = scene.extents.map(|extent| extent.ends()[0]);
         for (bit, &parameter) in across.iter().enumerate() {
-            let [from, to] = scene.extents[parameter.dimension()].ends();
+            let range = scene.extents[parameter.dimension()].ends();
             let share: f64 = if i < edges {
                 (i >> bit & 1) as f64
             } else {
                 random.random_range(-OVERSHOOT..1.0 + OVERSHOOT)
             };
-            let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
-            line[parameter.dimension()] = parameter
-                .value(first + (last - first) * share.clamp(0.0, 1.0))
-                .clamp(from, to);
+            line[parameter.dimension()] = between(parameter, range, share.clamp(0.0, 1.0));
         }
         line
     };

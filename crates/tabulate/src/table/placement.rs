@@ -23,12 +23,19 @@ pub(super) fn nodes(
     if count == 1 {
         return vec![from];
     }
-    let [first, last] = [from, to].map(|end| parameter.coordinate(end));
-    let node = |place: f64| parameter.value(first + (last - first) * place);
+    let node = |place: f64| between(parameter, [from, to], place);
     let mut values: Vec<f64> = places(count, evenness).into_iter().map(node).collect();
     values[0] = from;
     values[count - 1] = to;
     values
+}
+
+/// Returns the value at the part `share` of a range, in the parameter's coordinate.
+pub(super) fn between(parameter: Parameter, [from, to]: [f64; 2], share: f64) -> f64 {
+    let [first, last] = [from, to].map(|end| parameter.coordinate(end));
+    parameter
+        .value(first + (last - first) * share)
+        .clamp(from, to)
 }
 
 /// Returns `count` places from 0 to 1, ascending: `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the
