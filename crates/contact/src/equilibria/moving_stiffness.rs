@@ -32,20 +32,17 @@ impl Contact {
     pub fn moving_stiffness(&self, a: f64, w: f64) -> Result<f64, Error> {
         self.mechanics().edge_singularity(a, w)?;
         let (_, slopes, values, relative) = self.everything_and_slopes(a)?;
+        let energy = LineEnergy::of_jkr(w);
+        let [lowered, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
+        let slopes = slopes.minus(by_radius);
         if self.curve().and_then(Curve::stick).is_some() {
-            let energy = LineEnergy::of_jkr(w);
-            let [_, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
-            let slopes = slopes.minus(by_radius);
             return Ok(finite_result(a, slopes.load / slopes.penetration)?);
         }
         let pinned = self.mechanics().stiffness(a, values.eeq);
         if w == 0.0 {
             return Ok(finite_result(a, pinned)?);
         }
-        let [lowered, by_radius] =
-            self.lowered_and_slopes(a, LineEnergy::of_jkr(w), &values, &relative)?;
-        let by_radius = slopes.penetration - by_radius.penetration;
-        let lost = pinned * (1.0 + relative.eeq) * lowered.penetration / by_radius;
+        let lost = pinned * (1.0 + relative.eeq) * lowered.penetration / slopes.penetration;
         Ok(finite_result(a, pinned - lost)?)
     }
 }
