@@ -104,28 +104,17 @@ impl Contact {
         self.same_material()?;
         let mut gradient = None;
         let terms = self.terms(a, w, &mut gradient)?;
-        // In the order of `Input::ALL`, one call for each, so that what the input decides is decided
-        // when this is compiled.
-        let derivatives = [
-            terms.by(Input::ContactRadius),
-            terms.by(Input::WorkOfAdhesion),
-            terms.by(Input::SphereRadius),
-            terms.by(Input::SphereModulus),
-            terms.by(Input::FilmThickness),
-            terms.by(Input::FilmModulus),
-            terms.by(Input::FilmPoisson),
-            terms.by(Input::SubstrateModulus),
-            terms.by(Input::SubstratePoisson),
-        ];
+        let derivatives = Input::ALL.map(|input| terms.by(input));
         // Infinity or NaN if one of the numbers is.
         let mut zeros = Derivatives::ZERO;
         for by in derivatives.iter().flatten() {
             zeros.load += 0.0 * by.load;
             zeros.penetration += 0.0 * by.penetration;
         }
+        let LoadAndPenetration { load, penetration } = terms.pair();
         Ok(ContactGradient {
-            load: finite_result(a, terms.load + zeros.load)?,
-            penetration: finite_result(a, terms.penetration + zeros.penetration)?,
+            load: finite_result(a, load + zeros.load)?,
+            penetration: finite_result(a, penetration + zeros.penetration)?,
             derivatives,
         })
     }
@@ -155,7 +144,7 @@ impl Contact {
             finite_result(a, by.penetration)?;
             *derivatives = by;
         }
-        let (load, penetration) = (terms.load, terms.penetration);
+        let LoadAndPenetration { load, penetration } = terms.pair();
         Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
 

@@ -43,8 +43,6 @@ impl Contact {
             w,
             gradient,
             by_a_over_t,
-            load: without.load - lowered.load,
-            penetration: without.penetration - lowered.penetration,
             without,
             lowered,
             stiffness: self.mechanics.stiffness(a, values.eeq),
@@ -61,14 +59,12 @@ pub(crate) struct Terms<'a> {
     gradient: Option<&'a QuantityGradient>,
     /// The derivatives of the logarithms of the quantities with respect to `ln(a/t)`.
     by_a_over_t: [f64; 4],
-    pub(super) load: f64,
-    pub(super) penetration: f64,
-    /// Those without adhesion.
+    /// Load and penetration without adhesion.
     without: LoadAndPenetration,
     /// By how much adhesion lowers them.
     lowered: LoadAndPenetration,
     /// The stiffness of the contact, N/m.
-    stiffness: f64,
+    pub(crate) stiffness: f64,
 }
 
 impl Terms<'_> {
@@ -107,14 +103,14 @@ impl Terms<'_> {
         self.by(input)
     }
 
+    /// Returns load and penetration.
+    pub(super) fn pair(&self) -> LoadAndPenetration {
+        self.without.minus(self.lowered)
+    }
+
     /// Whether the quantities are those of a single a/t, which does not tell how they grow with it.
     fn has_no_slopes(&self) -> bool {
         self.by_a_over_t[0].is_nan()
-    }
-
-    /// Returns the stiffness of the contact, N/m.
-    pub(crate) fn stiffness(&self) -> f64 {
-        self.stiffness
     }
 
     /// Returns the derivative of the logarithm of the stiffness under a flat punch with respect to one
