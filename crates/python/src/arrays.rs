@@ -115,9 +115,9 @@ impl<'py> Points<'py> {
         let evaluate = |values: Values<'_, K>, block: Range<usize>| {
             let one = |index| {
                 let goes_on = !interrupted.load(Ordering::Relaxed);
-                goes_on.then(|| function(values.at(index)))
+                goes_on.then(|| function(values.at(index))).ok_or(())
             };
-            parallel::map_while_some(block, one).into_iter()
+            parallel::try_map(block, one).into_iter().flatten()
         };
         let mut columns = self.columns()?;
         let take = |numbers| add(&mut columns, numbers);

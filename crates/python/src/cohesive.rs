@@ -70,10 +70,10 @@ impl Cohesive {
         let interrupted = AtomicBool::new(false);
         let state = |&a: &f64| {
             let goes_on = !interrupted.load(Ordering::Relaxed);
-            goes_on.then(|| self.0.state(a).map(numbers))
+            goes_on.then(|| self.0.state(a).map(numbers)).ok_or(())
         };
-        let states = interruptible(py, &interrupted, || parallel::map_while_some(&radii, state))?;
-        let rows: Result<Vec<_>, _> = states.into_iter().collect();
+        let states = interruptible(py, &interrupted, || parallel::try_map(&radii, state))?;
+        let rows: Result<Vec<_>, _> = states.into_iter().flatten().collect();
         Ok(columns(py, &rows.or_raise(py)?))
     }
 

@@ -111,10 +111,12 @@ pub fn fit_map<'py>(
         let one = |curve: &Experiment| {
             let goes_on = !interrupted.load(Ordering::Relaxed);
             let curve = std::slice::from_ref(curve);
-            goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
+            goes_on
+                .then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
+                .ok_or(())
         };
-        let found = interruptible(py, &interrupted, || parallel::map_while_some(&curves, one))?;
-        for (i, found) in found.into_iter().enumerate() {
+        let found = interruptible(py, &interrupted, || parallel::try_map(&curves, one))?;
+        for (i, found) in found.into_iter().flatten().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
                 Err(failure) => {

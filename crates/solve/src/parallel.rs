@@ -88,19 +88,6 @@ fn of_child() -> Option<MutexGuard<'static, OfProcess>> {
     None
 }
 
-/// Applies `function` to every item on all cores and returns the results in the order of the items,
-/// unless one is `None`: then some are left out.
-pub fn map_while_some<I, T>(
-    items: I,
-    function: impl Fn(I::Item) -> Option<T> + Send + Sync,
-) -> Vec<T>
-where
-    I: IntoParallelIterator<Iter: IndexedParallelIterator> + Send,
-    T: Send,
-{
-    on_all_cores(|| items.into_par_iter().map(function).while_some().collect())
-}
-
 /// Applies `function` to every item on all cores and returns the results in the order of the items.
 ///
 /// Items that follow a failed one may be left out.
