@@ -110,29 +110,11 @@ pub enum Error {
     Picture(#[from] figures::Error),
     /// An error of a solve.
     #[error(transparent)]
-    Solve(solve::Error),
+    Solve(#[from] solve::Error),
     /// An error of a contact.
     #[error(transparent)]
-    Contact(contact::Error),
+    Contact(#[from] contact::Error),
     /// An error of a table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),
-}
-
-impl From<contact::Error> for Error {
-    fn from(error: contact::Error) -> Self {
-        match error {
-            contact::Error::Table(error) => Self::Table(error),
-            error => Self::Contact(error),
-        }
-    }
-}
-
-impl From<solve::Error> for Error {
-    fn from(error: solve::Error) -> Self {
-        match error {
-            solve::Error::Contact(error) => error.into(),
-            error => Self::Solve(error),
-        }
-    }
 }

@@ -123,7 +123,7 @@ impl Equilibria<'_> {
         let by = |input: Input| terms.by_one(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.
-        let punch = self.contact.is_punch().then(|| terms.stiffness);
+        let punch = self.contact.is_punch().then_some(terms.stiffness);
         let by_radius = match punch {
             Some(stiffness) => Derivatives {
                 load: stiffness,

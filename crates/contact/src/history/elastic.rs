@@ -86,7 +86,7 @@ impl ElasticCurve {
     ) -> Result<Self, Error> {
         let last = node(contact, most)?;
         if last.load.is_nan() || last.load <= SMALLEST_LOAD {
-            return Err(contact.outside("penetration", last.penetration).into());
+            return Err(contact.outside("penetration", last.penetration));
         }
         let [least, _] = contact.search_range()?;
         let touch = first_touch(contact)?;
@@ -281,7 +281,7 @@ pub(super) fn radius_of(
 ) -> Result<f64, Error> {
     let range = contact.search_range()?;
     if quantity(&node(contact, range[1])?) < value {
-        return Err(contact.outside(name, value).into());
+        return Err(contact.outside(name, value));
     }
     radius_within(contact, range, value, quantity)
 }
@@ -324,7 +324,7 @@ pub(super) fn radius_on_spring(
 pub(super) fn has_flat_end(contact: &Contact) -> Result<bool, Error> {
     let flat = contact.has_flat_end();
     if flat && !contact.begins_at_flat_end() {
-        return Err(contact.outside("penetration", 0.0).into());
+        return Err(contact.outside("penetration", 0.0));
     }
     Ok(flat)
 }

@@ -107,9 +107,7 @@ impl Contact {
     pub fn history(&self, relaxation: &Relaxation) -> Result<History<'_>, Error> {
         relaxation.check()?;
         if self.is_punch() {
-            return Err(self
-                .makes_no_sense("a history of the contact radius")
-                .into());
+            return Err(self.makes_no_sense("a history of the contact radius"));
         }
         Ok(History {
             contact: self,

@@ -55,7 +55,7 @@ impl History<'_> {
         }
         let load = |contact: &Contact| -> Result<f64, Error> {
             let a = elastic::radius_of(contact, "penetration", deepest, |node| node.penetration)?;
-            Ok(contact.load(a, 0.0)?)
+            contact.load(a, 0.0)
         };
         let chi = load(rigid)? / load(self.contact)? - 1.0;
         if chi <= 0.0 {

@@ -41,10 +41,7 @@ fn follow(
         Err(contact::Error::Unreached { .. }) if tolerance.is_some() => to(None),
         course => course,
     };
-    match course {
-        Ok(course) => Ok(course.states.iter().map(|at| at.state.load).collect()),
-        Err(error) => Err(error.into()),
-    }
+    Ok(course?.states.iter().map(|at| at.state.load).collect())
 }
 
 /// The law of the bodies, in units of the time of the turn.

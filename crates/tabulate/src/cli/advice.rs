@@ -53,8 +53,10 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
 
 /// Returns the error of a contact that a cause is, or holds.
 fn of_contact<'a>(cause: &'a (dyn std::error::Error + 'static)) -> Option<&'a contact::Error> {
-    if let Some(crate::Error::Contact(error)) = cause.downcast_ref() {
-        return Some(error);
+    match cause.downcast_ref() {
+        Some(crate::Error::Contact(error)) => return Some(error),
+        Some(crate::Error::Solve(error)) => return of_contact(error),
+        _ => {}
     }
     if let Some(::solve::Error::Contact(error)) = cause.downcast_ref() {
         return Some(error);
