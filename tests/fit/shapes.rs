@@ -8,7 +8,8 @@ use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point, WarningKind};
 use interp::{Probe, Profile, System};
 
 use crate::imagined::{
-    Imagined, assert_silent, fitted, half_space, lens, measurement, number_after, off, text,
+    Imagined, assert_silent, assert_warns, fitted, half_space, lens, measurement, number_after,
+    off, text,
 };
 use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
 
@@ -213,9 +214,10 @@ fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
 #[test]
 fn a_paraboloid_that_stands_for_a_sphere_is_named_where_it_matters() {
     let sphere = Probe::Sphere { radius: 1e-3 };
-    let warned = |largest: f64| {
+    let warned = |work_of_adhesion, largest: f64| {
         let mut lens = lens();
         lens.radii = [5e-5, largest];
+        lens.truth.work_of_adhesion = work_of_adhesion;
         lens.truth.bodies =
             Bodies::half_space(half_space_of(sphere.clone(), 2e6, solid(7e10, 0.2)));
         let mut experiment = lens.measured(&lens.exact(), 0);
@@ -224,14 +226,20 @@ fn a_paraboloid_that_stands_for_a_sphere_is_named_where_it_matters() {
         let found = lens.fit_of(&experiment);
         (off(&found, Parameter::SphereModulus, 2e6), found)
     };
-    let (_, narrow) = warned(1.3e-4);
+    let (_, narrow) = warned(0.04, 1.3e-4);
     assert_silent(&narrow, WarningKind::LargeContact);
-    let (too_large, wide) = warned(2.8e-4);
-    let text = text(&wide, WarningKind::LargeContact);
+    let (too_large, wide) = warned(0.04, 2.8e-4);
+    let words = text(&wide, WarningKind::LargeContact);
     // The change is named to the first order.
-    let named = -number_after(&text, " %, ");
+    let named = -number_after(&words, " %, ");
     assert!(
         too_large > 5.0 && (named / too_large - 1.0).abs() < 0.3,
-        "{too_large}: {text}"
+        "{too_large}: {words}"
     );
+    // The first order is no measure of a weak work of adhesion that is found twice too large, or more.
+    let weak = 1e-3;
+    let (_, found) = warned(weak, 2.8e-4);
+    assert!(off(&found, WorkOfAdhesion, weak / 0.7) > 0.0);
+    let words = "work-of-adhesion downwards by more than 30 %";
+    assert_warns(&found, WarningKind::LargeContact, words);
 }

@@ -83,7 +83,7 @@ pub enum Error {
     },
     /// An attraction of finite range under a probe that is no paraboloid.
     #[error(
-        "an attraction of finite range is solved for a paraboloid only, not for a {probe}; use the paraboloid with the radius of curvature of the tip, or no interaction range"
+        "an attraction of finite range is solved for a paraboloid only, not for a {probe}; give no interaction range, or where the tip is round the paraboloid with its radius of curvature"
     )]
     OnlyParaboloid {
         /// The name of the shape.

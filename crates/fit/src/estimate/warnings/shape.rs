@@ -14,6 +14,9 @@ const SMALL: f64 = 0.05;
 const MATTERS: f64 = 0.03;
 /// The standard error over the value up to which the first order tells anything.
 const TOLD: f64 = 0.3;
+/// The change over the value above which the first order tells no more than that the change is larger than this: it told -95
+/// and -54 % where fits changed by -72 and -39 %.
+const LINEAR: f64 = 0.3;
 
 /// Warns if the exact sphere in place of the paraboloid would change a modulus or a work of adhesion by more than its
 /// standard error and more than 3 %, to the first order. All experiments on a half-space or a film, with contacts of up to
@@ -47,10 +50,13 @@ pub(crate) fn doubt(
         let is_large = change.abs() > 1.0 && part.abs() > MATTERS && error < TOLD;
         (problem.slots[slot].parameter.is_positive() && is_large).then(|| {
             let name = &names[slot];
-            format!(
-                "{name} by about {:+.1} %, {change:+.1} of its standard errors",
-                1e2 * part
-            )
+            let by = if part.abs() > LINEAR {
+                let way = if part > 0.0 { "upwards" } else { "downwards" };
+                format!("{way} by more than {:.0} %", 1e2 * LINEAR)
+            } else {
+                format!("by about {:+.1} %", 1e2 * part)
+            };
+            format!("{name} {by}, {change:+.1} of its standard errors")
         })
     });
     let large: Vec<String> = large.collect();

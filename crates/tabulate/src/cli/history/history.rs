@@ -264,7 +264,8 @@ impl Arguments {
         ensure!(
             bodies.stack.is_none(),
             "layers, and a film with an interface, relax all by one law, and so must the sphere and the base: give \
-             --all-relax, or a rigid sphere and base (--sphere-modulus inf, --substrate-modulus inf), or use one bonded film"
+             --all-relax, or a rigid sphere (--sphere-modulus inf) and a rigid base (--substrate-modulus inf, or young_modulus = \
+             inf in the stack file), or use one bonded film"
         );
         Ok(Some(System {
             sphere_modulus: f64::INFINITY,
