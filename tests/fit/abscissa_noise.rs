@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused, rigid_probe, solid};
+use acceptance::{Contacts, Refused, rigid_sphere, solid};
 use fit::data::{Format, read_from};
 use fit::{Bodies, Error, Experiment, Fit, Free, Kind, Loss, Parameter, PointErrors, WarningKind};
-use interp::{Probe, Table};
+use interp::Table;
 
 use crate::imagined::{
     Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warned, assert_warns, fit_all,
@@ -55,12 +55,7 @@ fn film_between_rigid_bodies() -> Imagined {
         ..Imagined::lens(Kind::LoadRadius, 60e-6, 1e-5, &free)
     };
     film.truth.work_of_adhesion = 0.05;
-    film.truth.bodies = Bodies::coated(&rigid_probe(
-        Probe::Paraboloid { radius: 5e-3 },
-        solid(8e5, 0.49),
-        60e-6,
-        solid(7e10, 0.22),
-    ));
+    film.truth.bodies = Bodies::coated(&rigid_sphere(5e-3, [8e5, 0.49], 60e-6, [7e10, 0.22]));
     film
 }
 

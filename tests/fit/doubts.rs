@@ -1,6 +1,6 @@
 //! Doubts where there is reason for them, and none where there is not.
 
-use acceptance::{Refused, assert_names, rigid_probe, solid, table};
+use acceptance::{Refused, assert_names, rigid_sphere, solid, table};
 use fit::{
     Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Options, Parameter, Scope, WarningKind, fit,
 };
@@ -233,12 +233,7 @@ fn contacts_outside_the_model_are_warned_of() {
     // On a softer film the cohesive zone is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     softer.truth = hard.truth;
-    softer.truth.bodies = Bodies::coated(&rigid_probe(
-        Probe::Paraboloid { radius: 20e-9 },
-        solid(5e8, 0.2),
-        1e-7,
-        solid(2e11, 0.2),
-    ));
+    softer.truth.bodies = Bodies::coated(&rigid_sphere(20e-9, [5e8, 0.2], 1e-7, [2e11, 0.2]));
     softer.radii = [5e-9, 9e-9];
     softer.noise = 1e-11;
     let words = "Tabor's parameter; too small by 2.; %";

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::slice;
 
 use acceptance::{
-    Contacts, Words, assert_names, half_space_of, paper_system, rigid_probe, solid, solved_contact,
+    Contacts, Words, assert_names, half_space_of, paper_system, rigid_sphere, solved_contact,
     system_of,
 };
 use contact::Contact;
@@ -225,12 +225,7 @@ pub fn lens() -> Imagined {
 
 /// A rigid colloidal probe of 20 um on a gel of 20 kPa and 10 um thickness, on glass.
 pub fn gel() -> System {
-    rigid_probe(
-        Probe::Paraboloid { radius: 20e-6 },
-        solid(2e4, 0.45),
-        10e-6,
-        solid(7e10, 0.2),
-    )
+    rigid_sphere(20e-6, [2e4, 0.45], 10e-6, [7e10, 0.2])
 }
 
 impl Imagined {
@@ -255,12 +250,7 @@ impl Imagined {
     /// A hard contact of some nanometres, whose attraction is not short.
     pub fn hard() -> Self {
         let mut hard = Self::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-        hard.truth.bodies = Bodies::coated(&rigid_probe(
-            Probe::Paraboloid { radius: 20e-9 },
-            solid(5e10, 0.2),
-            1e-7,
-            solid(2e11, 0.2),
-        ));
+        hard.truth.bodies = Bodies::coated(&rigid_sphere(20e-9, [5e10, 0.2], 1e-7, [2e11, 0.2]));
         hard.radii = [0.8e-9, 2e-9];
         hard.noise = 1e-11;
         hard

@@ -1,13 +1,13 @@
 //! Adhesion that depends on the speed of the contact line: contacts that move in time by the law are the truth.
 
-use acceptance::{Contacts, Refused, rigid_probe, solid};
+use acceptance::{Contacts, Refused, rigid_sphere, solid};
 use contact::{Contact, Control, RateDependent, TimedState};
 use fit::report::line_plot;
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, LineSpeed, Loss, Parameter, Point, Solver,
     WarningKind, forecast, simulate,
 };
-use interp::{Probe, System, Table};
+use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::imagined::{
@@ -27,12 +27,7 @@ const MOST_DOUBTED: usize = 6;
 
 /// A glass lens on a film of rubber as thick as the contact is wide.
 fn rubber() -> System {
-    rigid_probe(
-        Probe::Paraboloid { radius: 2e-3 },
-        solid(2e6, 0.5),
-        1.5e-4,
-        solid(7e10, 0.22),
-    )
+    rigid_sphere(2e-3, [2e6, 0.5], 1.5e-4, [7e10, 0.22])
 }
 
 pub fn contact() -> Contact {

@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use acceptance::{assert_names, rigid_probe, solid};
+use acceptance::{assert_names, rigid_sphere, solid};
 use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
-use interp::Probe;
 use rayon::prelude::*;
 
 use crate::imagined::{
@@ -209,12 +208,7 @@ fn a_probe_on_a_half_space() {
 fn a_hard_probe_on_a_hard_coating() {
     let free = [FilmModulus, ContactPoint];
     let mut probe = Imagined::lens(Kind::LoadPenetration, 2e-6, 1e-4, &free);
-    probe.truth.bodies = Bodies::coated(&rigid_probe(
-        Probe::Paraboloid { radius: 100e-6 },
-        solid(4e11, 0.2),
-        2e-6,
-        solid(2e11, 0.3),
-    ));
+    probe.truth.bodies = Bodies::coated(&rigid_sphere(100e-6, [4e11, 0.2], 2e-6, [2e11, 0.3]));
     probe.truth.work_of_adhesion = 0.0;
     probe.truth.contact_point = 1e-8;
     probe.radii = [0.2e-6, 4e-6];

@@ -1,6 +1,6 @@
 //! Fits of bodies that relax: the truth within the intervals, and the limits of the model.
 
-use acceptance::{Refused, assert_names, modified_power_law, prony, rigid_probe, solid};
+use acceptance::{Refused, assert_names, modified_power_law, prony, rigid_sphere, solid};
 use contact::Relaxation;
 use fit::{
     Bodies, Direction, Error, Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind,
@@ -28,11 +28,11 @@ const SOLID: [Parameter; 4] = [
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
-    Bodies::coated(&rigid_probe(
-        Probe::Paraboloid { radius: 2e-5 },
-        solid(2e3, 0.5),
+    Bodies::coated(&rigid_sphere(
+        2e-5,
+        [2e3, 0.5],
         thickness,
-        solid(f64::INFINITY, 0.25),
+        [f64::INFINITY, 0.25],
     ))
 }
 

@@ -27,8 +27,8 @@ pub use error::{
 };
 pub use forgery::{Checked, change, with_payload};
 pub use material::{
-    half_space_of, looked_up, material, on_half_space, paper_system, rigid_probe, solved,
-    solved_contact, system_of,
+    half_space_of, looked_up, material, on_half_space, paper_system, rigid_probe, rigid_sphere,
+    solved, solved_contact, system_of,
 };
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};
 pub use python::{output, python};

@@ -48,6 +48,23 @@ pub const fn rigid_probe(
     system_of(probe, f64::INFINITY, film, film_thickness, substrate)
 }
 
+/// Returns a rigid sphere, as a paraboloid, on a film of a thickness (m) on a substrate, both given by Young's modulus (Pa) and
+/// Poisson ratio.
+pub fn rigid_sphere(
+    radius: f64,
+    film: [f64; 2],
+    film_thickness: f64,
+    substrate: [f64; 2],
+) -> System {
+    let [film, substrate] = [film, substrate].map(|[young, poisson]| solid(young, poisson));
+    rigid_probe(
+        Probe::Paraboloid { radius },
+        film,
+        film_thickness,
+        substrate,
+    )
+}
+
 /// Returns a `probe` of a reduced modulus on a half-space.
 pub const fn half_space_of(probe: Probe, sphere_modulus: f64, solid: Elastic) -> HalfSpace {
     HalfSpace {

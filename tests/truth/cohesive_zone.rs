@@ -3,7 +3,7 @@
 
 use acceptance::{
     Refused, flat_ended_cone, larger, looked_up, on_half_space, power_law, rigid_probe,
-    rounded_cone, simpson, solid, solved_contact, stack,
+    rigid_sphere, rounded_cone, simpson, solid, solved_contact, stack,
 };
 use contact::{CohesiveState, CohesiveZone, Contact, Control, Equilibrium, ZoneSize, root};
 use interp::{Elastic, Probe};
@@ -257,12 +257,7 @@ fn long_zones_and_shapes_with_edges_are_refused() {
 fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
     let (w, range) = (0.05, 1.04e-8);
     for (thickness, holds) in [(500e-9, true), (34.8e-9, false)] {
-        let system = rigid_probe(
-            Probe::Paraboloid { radius: 1e-5 },
-            solid(1e7, 0.5),
-            thickness,
-            solid(26e9, 0.25),
-        );
+        let system = rigid_sphere(1e-5, [1e7, 0.5], thickness, [26e9, 0.25]);
         let contact = solved_contact(&system, [1e-2, 1e2], 1e-8);
         let size = contact.zone_size(w, range).expect("positive");
         assert!(

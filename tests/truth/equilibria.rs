@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Refused, looked_up, on_half_space, rigid_probe, solid};
+use acceptance::{Refused, looked_up, on_half_space, rigid_sphere, solid};
 use contact::{CohesiveZone, Contact, Control};
 use interp::Probe;
 
@@ -36,12 +36,7 @@ fn a_stable_contact_that_is_short_beside_the_zone_is_refused_and_not_left_out() 
 
 #[test]
 fn at_a_turning_point_both_equilibria_are_one() {
-    let film = looked_up(&rigid_probe(
-        Probe::Paraboloid { radius: 1e-4 },
-        solid(1e6, 0.45),
-        1e-5,
-        solid(1e9, 0.3),
-    ));
+    let film = looked_up(&rigid_sphere(1e-4, [1e6, 0.45], 1e-5, [1e9, 0.3]));
     for contact in [sphere(), film] {
         for control in [
             Control::Load,

@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{assert_matches, material, paper_system, rigid_probe, solid, solved};
+use acceptance::{
+    assert_matches, material, paper_system, rigid_probe, rigid_sphere, solid, solved,
+};
 use contact::{Contact, Control, Hysteresis, Relaxation};
 use interp::{Curve, Material, Probe, System};
 use solve::Error;
@@ -13,12 +15,7 @@ use crate::stick::confined;
 
 /// The system of the pull-offs: a rigid sphere on an incompressible film on a rigid base.
 fn system() -> System {
-    rigid_probe(
-        Probe::Paraboloid { radius: 1.0 },
-        solid(0.75, 0.5),
-        1e-3,
-        solid(f64::INFINITY, 0.0),
-    )
+    rigid_sphere(1.0, [0.75, 0.5], 1e-3, [f64::INFINITY, 0.0])
 }
 
 /// Pull-off loads over `pi w R` of the three histories, for `L = w R^2/(E1* t^3)`; the columns are

@@ -58,25 +58,3 @@ pub fn write_by_piece<S: Simd, const N: usize>(
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use fearless_simd::{Level, dispatch};
-
-    use super::*;
-
-    #[test]
-    fn rows_and_columns_are_exchanged() {
-        let numbers: [[f64; LANES]; LANES] =
-            std::array::from_fn(|k| std::array::from_fn(|lane| (LANES * k + lane) as f64));
-        dispatch!(Level::new(), simd => {
-            let a = numbers.map(|row| Lanes::simd_from(simd, row));
-            let columns = transposed_lanes(a).map(|row| *row.as_array());
-            assert_eq!(columns, std::array::from_fn(|i| std::array::from_fn(|k| numbers[k][i])));
-            let rows = rows_of_lanes([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
-            assert_eq!(rows, std::array::from_fn(|lane| std::array::from_fn(|k| numbers[k][lane])));
-            let lanes = lanes_of_rows(rows.map(|row| f64x4::simd_from(simd, row)));
-            assert_eq!(lanes.map(|lanes| *lanes.as_array()), [0, 1, 2, 3].map(|k| numbers[k]));
-        });
-    }
-}

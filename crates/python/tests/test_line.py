@@ -74,22 +74,6 @@ def test_hysteresis_pins_the_line(jkr):
     assert receding.contact_radius < loaded.contact_radius
 
 
-def test_a_moving_line_obeys_its_law(jkr):
-    """The speed of the radius, by differences, is that at which the law has the G of the state."""
-    law = cc.RateDependent(slow=0.04, v0=1e-6, n=0.6)
-    line = jkr.line(law, 60e-6)
-    found = line.ramp("load", 1e-3, duration=10.0, tolerance=1e-8)
-    assert (found.time[-1], found.load[-1]) == (10.0, pytest.approx(1e-3, rel=1e-9))
-    assert found.energy_release_rate == pytest.approx(energy_release_rate(found), rel=1e-9)
-    assert line.state is not None
-    receding = line.ramp("load", -2e-4, duration=20.0, tolerance=1e-8)
-    speed = -np.gradient(receding.contact_radius, receding.time)
-    middle = np.flatnonzero(speed > 1e-7)[:-2]
-    assert len(middle) > 50
-    expected = [law.energy_release_rate(v) for v in speed[middle]]
-    assert receding.energy_release_rate[middle] == pytest.approx(expected, rel=2e-2)
-
-
 def test_a_line_is_pickled_with_its_state(jkr):
     line = jkr.line(cc.Hysteresis(advancing=0.03, receding=0.05), 50e-6)
     line.impose("load", 1e-3)
@@ -117,10 +101,15 @@ def test_what_a_line_cannot_do(jkr):
 def test_the_law_of_a_line_is_found_from_radii_in_time():
     system = make_system(film_thickness=3e-5)
     law = cc.RateDependent(slow=0.04, v0=1e-6, n=0.6)
-    line = cc.Table.embedded().contact(system).line(law, 65e-6)
+    contact = cc.Table.embedded().contact(system)
+    line = contact.line(law, 65e-6)
     read, begin = [], 0.0
     for load, duration, count in ((4e-3, 100.0, 40), (-2e-3, 150.0, 60)):
         states = line.ramp("load", load, duration=duration, tolerance=1e-8)
+        if load > 0.0:  # the other ramp detaches
+            assert (states.time[-1], states.load[-1]) == (duration, pytest.approx(load, rel=1e-9))
+        own = contact.energy_release_rate(states.contact_radius, load=states.load)
+        assert states.energy_release_rate == pytest.approx(own, rel=1e-9)
         times = np.linspace(0.0, states.time[-1], count + 2)[1:-1]
         values = [np.interp(times, states.time, y) for y in (states.contact_radius, states.load)]
         read.append([begin + times, *values, np.full(count, load < 0)])

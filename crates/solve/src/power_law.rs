@@ -68,28 +68,3 @@ pub(crate) fn coefficients(exponent: f64, modes: usize) -> impl Iterator<Item = 
         Some(value)
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// `int_0^1 rho^n sqrt(5) P_2 = sqrt(5) n/((n + 1)(n + 3))`, and Parseval's
-    /// `sum c_m^2 = int_0^1 rho^2n = 1/(2n + 1)`.
-    #[test]
-    fn coefficients_of_powers_are_exact() {
-        for n in [0.5_f64, 1.0, 2.0, 3.0, 4.0, 7.3, 20.0] {
-            let c: Vec<f64> = coefficients(n, 4000).collect();
-            let second = 5_f64.sqrt() * n / ((n + 1.0) * (n + 3.0));
-            assert!((c[1] / second - 1.0).abs() < 1e-14, "{n}: {}", c[1]);
-            let squares: f64 = c.iter().map(|c| c * c).sum();
-            // The terms left out fall like `m^{-2n-2}`, and their sum like `m^{-2n-1}`.
-            let left_out = 1e-14 + 4000_f64.powf(-2.0 * n - 1.0);
-            assert!(
-                (squares * (2.0 * n + 1.0) - 1.0).abs() < left_out,
-                "{n}: {squares}"
-            );
-        }
-        let even: Vec<f64> = coefficients(4.0, 6).collect();
-        assert_eq!(even[3..], [0.0; 3]);
-    }
-}

@@ -1,6 +1,6 @@
 //! Storage and loss: the modulus and the loss tangent of a film from stiffness and phase.
 
-use acceptance::{Data, Refused, larger, rigid_probe, solid, system_of};
+use acceptance::{Data, Refused, larger, rigid_sphere, solid, system_of};
 use fit::{Bodies, Kind, Parameter, WarningKind, simulate};
 use interp::{Probe, Table};
 use rayon::prelude::*;
@@ -59,12 +59,7 @@ fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
 /// and a frame in series with the contact is taken out.
 #[test]
 fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
-    let system = rigid_probe(
-        Probe::Paraboloid { radius: 1e-4 },
-        solid(1e6, 0.4),
-        1e-6,
-        solid(f64::INFINITY, 0.3),
-    );
+    let system = rigid_sphere(1e-4, [1e6, 0.4], 1e-6, [f64::INFINITY, 0.3]);
     for (phase, compliance) in [(0.2, 0.0), (0.7, 0.0), (0.4, 0.05)] {
         let mut measured = at_radii(&system, [3e-7, 5e-6], 8);
         let points = &mut measured.measurement.points;
@@ -125,12 +120,7 @@ fn a_loss_tangent_above_one_is_refused() {
     let found = fitted(measured, [Parameter::FilmModulus]);
     found.refused("the loss tangent of the film is 2.1; holds up to 1");
     // Noise may bring a tangent of 1 to 1.05 where it is as large.
-    let alone = rigid_probe(
-        Probe::Paraboloid { radius: 1e-4 },
-        solid(1e6, 0.4),
-        1e-6,
-        solid(f64::INFINITY, 0.3),
-    );
+    let alone = rigid_sphere(1e-4, [1e6, 0.4], 1e-6, [f64::INFINITY, 0.3]);
     let mut measured = at_radii(&alone, [3e-7, 5e-6], 8);
     for (scatter, accepted) in [(0.0, false), (0.1, true)] {
         let phases = (0..8).map(|i| 1.05_f64.atan() + [scatter, -scatter][i % 2]);

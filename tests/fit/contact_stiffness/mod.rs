@@ -6,7 +6,7 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_contact, system_of};
+use acceptance::{Contacts, assert_close, larger, rigid_sphere, solid, solved_contact, system_of};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
@@ -182,12 +182,7 @@ fn hardness_on_a_rigid_substrate_without_a_start() {
 
 #[test]
 fn stiffness_at_loads_of_an_elastic_contact() {
-    let film = rigid_probe(
-        Probe::Paraboloid { radius: 2e-5 },
-        solid(2e6, 0.49),
-        5e-6,
-        solid(7e10, 0.2),
-    );
+    let film = rigid_sphere(2e-5, [2e6, 0.49], 5e-6, [7e10, 0.2]);
     let radii = [1e-6, 5e-6];
     let contact = solved(&film, radii);
     for (w, free) in [

@@ -1,6 +1,6 @@
 //! Elements, which serve any history, beside the integrals and beside themselves.
 
-use acceptance::{modified_power_law, on_half_space, rigid_probe, solid, solved_contact};
+use acceptance::{modified_power_law, on_half_space, rigid_sphere, solid, solved_contact};
 use contact::{Control, Relaxation};
 use interp::Probe;
 
@@ -62,12 +62,7 @@ fn cut(program: &[(f64, f64)]) -> Vec<(f64, f64)> {
 /// answered, and the same.
 #[test]
 fn an_element_that_touches_within_a_step_is_no_ring() {
-    let system = rigid_probe(
-        Probe::Paraboloid { radius: 1e-5 },
-        solid(1e3, 0.5),
-        5e-6,
-        solid(f64::INFINITY, 0.25),
-    );
+    let system = rigid_sphere(1e-5, [1e3, 0.5], 5e-6, [f64::INFINITY, 0.25]);
     let contact = solved_contact(&system, [1e-4, 8.0], 1e-8);
     let law = power_law(0.8712366898122368);
     let relaxing = (&contact, &law);

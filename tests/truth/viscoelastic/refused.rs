@@ -1,7 +1,7 @@
 //! What is refused of contacts in time, and what is answered at the ends of the range.
 
 use acceptance::{
-    Refused, assert_matches, assert_names, larger, modified_power_law, rigid_probe, solid,
+    Refused, assert_matches, assert_names, larger, modified_power_law, rigid_sphere, solid,
     solved_contact, system_of,
 };
 use contact::{Control, Error, Hysteresis, RateDependent, Relaxation, TimedContact};
@@ -12,14 +12,7 @@ use super::{CYCLES, PARABOLOID, half_space, solid_law};
 /// The bound for bodies that do not relax, on both sides of the largest that is accepted.
 #[test]
 fn bodies_that_do_not_relax() {
-    let of = |substrate: f64| {
-        rigid_probe(
-            Probe::Paraboloid { radius: 1e-5 },
-            solid(1e3, 0.5),
-            1e-5,
-            solid(substrate, 0.5),
-        )
-    };
+    let of = |substrate: f64| rigid_sphere(1e-5, [1e3, 0.5], 1e-5, [substrate, 0.5]);
     let contact = |substrate: f64| {
         let system = of(substrate);
         solved_contact(&system, [1e-4, 2.0], 1e-9)

@@ -77,20 +77,3 @@ fn gauss(half: usize) -> Vec<[f64; 2]> {
     };
     (0..half).map(point).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rules_integrate_even_powers() {
-        for (number, size) in SIZES.iter().enumerate() {
-            for power in [0, 2, 4 * *size as i32 - 2] {
-                let terms = rule(number).iter();
-                let sum: f64 = terms.map(|[x, weight]| weight * x.powi(power)).sum();
-                let expected = 1.0 / f64::from(power + 1);
-                assert!((sum / expected - 1.0).abs() < 1e-11, "{size}: {sum}");
-            }
-        }
-    }
-}

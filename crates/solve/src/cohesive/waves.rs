@@ -77,22 +77,3 @@ pub fn cosine_sum(weights: &[f64], q: &[f64], s: f64) -> f64 {
     }
     sums.iter().sum()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::estimate::larger;
-
-    /// On both sides of the argument where the expansions begin.
-    #[test]
-    fn bessel_functions_are_those_of_libm() {
-        let mut worst = 0.0;
-        for z in (0..4000).map(|i| 20.0 * 250_f64.powf(2.5e-4 * f64::from(i))) {
-            let [first, second] = bessel(&[z; LANES]);
-            worst = larger(worst, (first[0] - libm::j0(z)).abs() * z.sqrt());
-            worst = larger(worst, (second[LANES - 1] - libm::j1(z)).abs() * z.sqrt());
-        }
-        println!("{worst:.1e}");
-        assert!(worst > 0.0 && worst < 3e-15, "{worst}");
-    }
-}

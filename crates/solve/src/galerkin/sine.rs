@@ -48,26 +48,3 @@ pub fn sine_and_versine(theta: f64) -> [f64; 2] {
     let (sine, cosine) = (y * sum(&SINE), sum(&COSINE));
     [2.0 * sine * cosine, 2.0 * sine * sine]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::estimate::larger;
-
-    #[test]
-    fn sines_and_versines_are_those_of_the_standard_library() {
-        let [mut worst, mut small] = [0.0; 2];
-        for theta in (0..20_000).map(|i| 1e-9 * 10_f64.powf(7e-4 * f64::from(i))) {
-            let [sine, versine] = sine_and_versine(theta);
-            let half = (0.5 * theta).sin();
-            worst = larger(worst, (sine - theta.sin()).abs());
-            worst = larger(worst, (versine - 2.0 * half * half).abs());
-            if theta < 1.0 {
-                small = larger(small, (versine / (2.0 * half * half) - 1.0).abs());
-                small = larger(small, (sine / theta.sin() - 1.0).abs());
-            }
-        }
-        println!("{worst:.1e}, relative to small values {small:.1e}");
-        assert!(worst < 1e-15 && small < 2e-15, "{worst} {small}");
-    }
-}

@@ -106,33 +106,3 @@ pub fn interpolation(nodes: &[f64], factors: &[f64], place: f64) -> Vec<f64> {
     weights.iter_mut().for_each(|weight| *weight /= sum);
     weights
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::estimate::larger;
-
-    /// Powers with whole and broken exponents, times a smooth function.
-    #[test]
-    fn integrals_keep_their_relative_accuracy() {
-        // At 2 one of the integrals is 0.
-        let points = Points::new(24, 1.9);
-        let values: Vec<f64> = points
-            .at
-            .iter()
-            .map(|tau| tau.powi(3) - 2.0 * tau)
-            .collect();
-        let powers = [0.0, 2.0, 3.0, 1.6];
-        let mut worst = 0.0;
-        for power in powers {
-            let integrals = points.integrals(power);
-            for (tau, weights) in points.at.iter().zip(integrals.col_iter()) {
-                let found: f64 = weights.iter().zip(&values).map(|(w, v)| w * v).sum();
-                let exact = tau.powi(3) / (power + 4.0) - 2.0 * tau / (power + 2.0);
-                worst = larger(worst, (found / exact - 1.0).abs());
-            }
-        }
-        println!("integrals: {worst:.1e}");
-        assert!(worst <= 1e-11, "{worst:e}");
-    }
-}

@@ -145,33 +145,7 @@ impl LeastSquares {
 
 #[cfg(test)]
 mod tests {
-    use rand::{RngExt, SeedableRng};
-    use rand_pcg::Pcg64Mcg;
-
     use super::*;
-
-    #[test]
-    fn both_systems_are_solved() {
-        const N: usize = 23;
-        let mut random = Pcg64Mcg::seed_from_u64(3);
-        let matrix: Vec<f64> = (0..N * N).map(|_| random.random_range(-0.5..0.5)).collect();
-        let b: Vec<f64> = (0..N).map(|_| random.random_range(-1.0..1.0)).collect();
-        let apply = |v: &[f64], out: &mut [f64]| {
-            for (out, row) in out.iter_mut().zip(matrix.chunks_exact(N)) {
-                *out = dot(row, v);
-            }
-        };
-        let mut worst: f64 = 0.0;
-        for (v, sign) in solve(&b, 1e-15, apply).into_iter().zip([-1.0, 1.0]) {
-            let mut product = vec![0.0; N];
-            apply(&v, &mut product);
-            for i in 0..N {
-                worst = larger(worst, (v[i] + sign * product[i] - b[i]).abs());
-            }
-        }
-        println!("residual {worst:.1e}");
-        assert!(worst < 1e-13);
-    }
 
     /// A matrix of rank one is done after two steps, and an exact start ends at once.
     #[test]

@@ -103,26 +103,3 @@ fn multiply_groups<S: Simd, const N: usize>(
         out.copy_from_slice(&sum.as_slice()[..out.len()]);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Every number of rows up to several groups, and a vector that is shorter than a row.
-    #[test]
-    fn products_are_those_of_the_definition() {
-        for rows in 1..100 {
-            let element = |i: usize, j: usize| ((i * 7 + j * 3) as f64).sin();
-            let elements: Vec<f64> = (0..9)
-                .flat_map(|j| (0..rows).map(move |i| element(i, j)))
-                .collect();
-            let vector: [f64; 8] = std::array::from_fn(|j| 1.0 / (1.0 + j as f64));
-            let mut out = vec![f64::NAN; rows];
-            Matrix::from_columns(rows, &elements).multiply(&vector, &mut out);
-            for (i, value) in out.iter().enumerate() {
-                let terms = vector.iter().enumerate().map(|(j, v)| element(i, j) * v);
-                assert!((value - terms.sum::<f64>()).abs() < 1e-14, "{rows} {i}");
-            }
-        }
-    }
-}
