@@ -238,7 +238,7 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     let names = [
         "friction",
         "stick; work-of-adhesion is that of the receding line",
-        "grown with 0 of it",
+        "0 times it that of the advancing line",
     ];
     assert_names(&read.stdout, &names);
     let both = run(

@@ -9,6 +9,8 @@ use crate::fit_plots::{COLOURS, markers};
 
 const RUBBER: &str = "--sphere-radius 2mm --sphere-modulus inf --film-thickness 150um --film-poisson-ratio 0.5 \
      --substrate-modulus 70GPa --substrate-poisson-ratio 0.22 --film-modulus 2MPa";
+/// The law by which its adhesion depends on the speed.
+const OF_LINE: &str = "--value doubling-speed=1um/s --value speed-exponent=0.5";
 const LAW: &str = "--free film-modulus,work-of-adhesion,doubling-speed,speed-exponent";
 
 /// Writes the lens on rubber, each line changed.
@@ -102,7 +104,7 @@ fn points_of_the_speed_0_are_told_and_not_drawn() {
     let dwell = (0..60).map(|i| format!("{},1.662e-4,7.8921e-3,approach", 203 + i));
     let lines: Vec<String> = approach.map(str::to_owned).chain(dwell).collect();
     workdir.write("dwell.csv", lines.join("\n"));
-    let fit = "--free film-modulus,work-of-adhesion --value doubling-speed=1um/s --value speed-exponent=0.5";
+    let fit = format!("--free film-modulus,work-of-adhesion {OF_LINE}");
     let found = workdir.answer(format!(
         "fit dwell.csv {RUBBER} {fit} --radius-noise 0.2um --noise 2uN --csv points.csv --plot speed.svg --plot-kind speed"
     ));
@@ -122,16 +124,20 @@ fn points_of_the_speed_0_are_told_and_not_drawn() {
     assert_eq!(drawn, moving);
 }
 
+/// Simulates a cycle on rubber as `cycle.csv`.
+fn simulate_cycle(workdir: &Workdir, points: &str) {
+    workdir.simulate(format!(
+        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {OF_LINE} --from 60um --to 150um --segments cycle {points} \
+         --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
+    ));
+}
+
 #[test]
 fn of_many_points_a_picture_draws_some() {
     let workdir = workdir!();
-    let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
-    workdir.simulate(format!(
-        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {of_line} --from 60um --to 150um --segments cycle \
-         --points 4000 --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
-    ));
+    simulate_cycle(&workdir, "--points 4000");
     workdir.answer(format!(
-        "fit cycle.csv {RUBBER} --free work-of-adhesion {of_line} --noise 2uN --plot speed.svg --plot-kind speed"
+        "fit cycle.csv {RUBBER} --free work-of-adhesion {OF_LINE} --noise 2uN --plot speed.svg --plot-kind speed"
     ));
     let svg = workdir.text("speed.svg");
     for colour in COLOURS {
@@ -143,11 +149,7 @@ fn of_many_points_a_picture_draws_some() {
 #[test]
 fn a_line_of_one_speed_is_simulated_and_found() {
     let workdir = workdir!();
-    let of_line = "--value doubling-speed=1um/s --value speed-exponent=0.5";
-    workdir.simulate(format!(
-        "--kind load-radius {RUBBER} --work-of-adhesion 0.05 {of_line} --from 60um --to 150um --segments cycle \
-         --sample-interval 1s --noise 2uN --seed 1 -o cycle.csv"
-    ));
+    simulate_cycle(&workdir, "");
     let free =
         "--free work-of-adhesion,doubling-speed --value speed-exponent=0.5 --noise 2uN --json";
     let found = workdir.json(format!("fit cycle.csv {RUBBER} {free}"));
@@ -195,7 +197,7 @@ fn cycles_in_one_file_are_one_course_in_time() {
     let two = "--free film-modulus,work-of-adhesion";
     assert!(fit(two).contains(several));
     assert!(!fit(LAW).contains(several));
-    let given = format!("{two} --value doubling-speed=1um/s --value speed-exponent=0.5");
+    let given = format!("{two} {OF_LINE}");
     assert!(!fit(&given).contains(several));
 }
 
@@ -238,6 +240,6 @@ fn wrong_first_calls_say_what_to_do() {
          1 | fit rubber.csv {RUBBER} --value doubling-speed=0 --value speed-exponent=0.5 | doubling-speed; positive
          1 | fit rubber.csv {RUBBER} {LAW} --friction stick | full friction; without friction only
          1 | simulate --kind load-radius {RUBBER} --work-of-adhesion 0.05 --from 60um --to 150um --noise 2uN --segments cycle --sample-interval 1s --expect {LAW} | doubling-speed; not given; at the planned value
-         1 | simulate --kind load-radius {RUBBER} --value doubling-speed=1um/s --value speed-exponent=0.5 --from 60um --to 150um --noise 2uN | no times; --sample-interval S",
+         1 | simulate --kind load-radius {RUBBER} {OF_LINE} --from 60um --to 150um --noise 2uN | no times; --sample-interval S",
     ));
 }

@@ -100,17 +100,22 @@ fn with_law(mut experiment: Experiment, [w, v0, n]: [f64; 3]) -> Experiment {
     experiment
 }
 
+/// Asserts that a fit of exact data finds the values of an experiment.
+fn assert_finds(found: &Fit, truth: &Experiment) {
+    for parameter in LAW {
+        let value = found.estimate(parameter).expect("free").value;
+        let expected = truth.get(parameter).expect("a value");
+        let off = value / expected - 1.0;
+        assert!(off.abs() < 2e-3, "{parameter} of {expected:e}: {off:e}");
+    }
+}
+
 #[test]
 fn the_law_of_a_line_that_moves_is_found_from_radii_and_loads() {
     for law in [LINE, [0.03, 1e-7, 0.3], [0.1, 1e-5, 0.8]] {
         let exact = read(&moved(law), [60, 120]);
         let found = fitted(&exact, &free_of(&LAW));
-        let truth = with_law(exact, law);
-        for parameter in LAW {
-            let value = found.estimate(parameter).expect("free").value;
-            let off = value / truth.get(parameter).expect("a value") - 1.0;
-            assert!(off.abs() < 2e-3, "{law:?}, {parameter}: {off:e}");
-        }
+        assert_finds(&found, &with_law(exact, law));
     }
 }
 
@@ -274,12 +279,7 @@ fn a_line_that_vanishes_has_no_speed_until_it_is_there_again() {
         point.direction = None;
     }
     let found = fitted(&two, &free_of(&LAW));
-    let truth = with_law(one, LINE);
-    for parameter in LAW {
-        let value = found.estimate(parameter).expect("free").value;
-        let off = value / truth.get(parameter).expect("a value") - 1.0;
-        assert!(off.abs() < 2e-3, "{parameter}: {off:e}");
-    }
+    assert_finds(&found, &with_law(one, LINE));
     let has_speed: Vec<bool> = (found.experiments[0].points.iter())
         .map(|point| point.line_speed.is_some())
         .collect();

@@ -152,7 +152,8 @@ impl Experiment {
         let mut errors = self.errors_of_abscissae(contact_of, branches, order, beside_speeds)?;
         errors.resize(here.len(), AbscissaError::default());
         for (i, error) in errors.iter_mut().enumerate() {
-            let (line, [_, by_speed]) = (self.line_speeds[i], alone[i]);
+            let line = self.line_speeds[i];
+            let ([part_alone, by_speed], [part_of_mean, _]) = (alone[i], together[i]);
             // At the speed that was read, slopes and derivatives would be correlated with its error, as at a radius.
             let variance = beside_speeds(i).powi(2) + error.part.powi(2);
             let shift = (self.compared(i) - here[i]) * by_speed / variance;
@@ -163,9 +164,9 @@ impl Experiment {
                 error.speed_shift = (shift / (far * far) * line.deviation).clamp(-most, most);
                 error.speed_slope = by_speed / line.deviation;
             }
-            let of_point = (alone[i][0] * line.misfit.max(1.0).sqrt()).min(together[i][0]);
+            let of_point = (part_alone * line.misfit.max(1.0).sqrt()).min(part_of_mean);
             error.alone = error.part.hypot(of_point);
-            error.part = error.part.hypot(together[i][0]);
+            error.part = error.part.hypot(part_of_mean);
         }
         Ok(errors)
     }

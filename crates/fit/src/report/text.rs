@@ -253,7 +253,7 @@ fn fixed(
     {
         let part = (advancing * 1e4).round() / 1e4;
         let text = format!(
-            "stick; work-of-adhesion is that of the receding line, and the contact has grown with {part} of it"
+            "stick; work-of-adhesion is that of the receding line, and {part} times it that of the advancing line"
         );
         rows.push(("friction".into(), text));
     }

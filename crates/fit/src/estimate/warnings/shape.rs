@@ -50,13 +50,14 @@ pub(crate) fn doubt(
         let is_large = change.abs() > 1.0 && part.abs() > MATTERS && error < TOLD;
         (problem.slots[slot].parameter.is_positive() && is_large).then(|| {
             let name = &names[slot];
-            let by = if part.abs() > LINEAR {
+            if part.abs() > LINEAR {
                 let way = if part > 0.0 { "upwards" } else { "downwards" };
-                format!("{way} by more than {:.0} %", 1e2 * LINEAR)
-            } else {
-                format!("by about {:+.1} %", 1e2 * part)
-            };
-            format!("{name} {by}, {change:+.1} of its standard errors")
+                return format!("{name} {way} by more than {:.0} %", 1e2 * LINEAR);
+            }
+            format!(
+                "{name} by about {:+.1} %, {change:+.1} of its standard errors",
+                1e2 * part
+            )
         })
     });
     let large: Vec<String> = large.collect();
