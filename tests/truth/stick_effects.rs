@@ -3,11 +3,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{
-    assert_matches, material, paper_system, rigid_probe, rigid_sphere, solid, solved,
-};
+use acceptance::{assert_matches, material, paper_system, rigid_sphere, solved};
 use contact::{Contact, Control, Hysteresis, Relaxation};
-use interp::{Curve, Material, Probe, System};
+use interp::{Curve, Material, System};
 use solve::Error;
 use solve::stick::{StickCurves, Sticking};
 
@@ -174,8 +172,7 @@ fn a_receding_line_has_the_energy_of_both_stresses() {
 /// both stresses at its edge have the energy of the work of adhesion, with whatever ratio the curve was made.
 #[test]
 fn a_stuck_contact_that_relaxes_recedes_with_both_stresses() {
-    let probe = Probe::Paraboloid { radius: 1e-4 };
-    let system = rigid_probe(probe, solid(1e5, 0.5), 1e-5, solid(f64::INFINITY, 0.0));
+    let system = rigid_sphere(1e-4, [1e5, 0.5], 1e-5, [f64::INFINITY, 0.0]);
     let curves = StickCurves::new(&confined(), [1e-3, 2.2], 1e-8).expect("converges");
     let law = Relaxation::Prony {
         relaxed: 0.3,
@@ -198,6 +195,7 @@ fn a_stuck_contact_that_relaxes_recedes_with_both_stresses() {
         let history = history.receding(line).expect("no growing adhesion");
         let course = history.at(Control::Displacement, &program, &times, None);
         let states = course.expect("in range").states;
+        assert_eq!(states.len(), loads.len());
         for (at, load) in states.iter().zip(loads) {
             let found = at.state.load;
             let error = (found - load).abs() / loads[0];
