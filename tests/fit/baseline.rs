@@ -1,13 +1,15 @@
 //! Where the contact ends in force curves: baselines at any level and of any length, spikes on them, and waves
 //! below their noise.
 
+use std::f64::consts::PI;
+
 use acceptance::{Contacts, half_space_of, solid};
-use fit::{Bodies, Branch, Experiment, Fit, Kind, Parameter, WarningKind};
+use fit::{Bodies, Branch, Direction, Experiment, Fit, Kind, Parameter, Point, WarningKind};
 use interp::Probe;
 
 use crate::imagined::{
     Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, assert_warns, fitted, free_of,
-    measurement_of, off as off_by,
+    measurement, measurement_of, off as off_by,
 };
 
 /// The parameters of a force curve without adhesion.
@@ -16,6 +18,10 @@ const HERTZ: [Parameter; 3] = [
     Parameter::ContactPoint,
     Parameter::Baseline,
 ];
+
+/// The reduced modulus of the gel, Pa, and the work of adhesion of closed forms, J/m^2.
+const REDUCED: f64 = 2e4 / 0.75;
+const WORK: f64 = 1e-3;
 
 /// A force curve of a gel without adhesion.
 fn hertz(points: [usize; 2]) -> Imagined {
@@ -151,6 +157,102 @@ fn a_contact_that_is_straight_to_its_end_is_no_baseline() {
     experiment.work_of_adhesion = 1.0;
     let branches = experiment.branches(&[Parameter::FilmModulus, Parameter::BaselineSlope]);
     assert_eq!(branches.expect("sound"), [Branch::Advancing; 100]);
+}
+
+/// A cycle of penetrations and loads, exact: what the approach and the retract go through.
+type Ways = [Vec<[f64; 2]>; 2];
+
+/// A cycle under a punch of 5 um that comes off, by the closed form of JKR. Its approach has no jump.
+fn under_a_punch(points_before: i32) -> (Probe, Ways) {
+    let probe = Probe::FlatPunch { radius: 5e-6 };
+    let step = |i: i32| 5e-9 * f64::from(i);
+    let contact = |depth: f64| [depth, 2.0 * 5e-6 * REDUCED * depth];
+    let approach = (-points_before..400).map(|i| contact(step(i).max(0.0)));
+    let approach = approach
+        .zip(-points_before..)
+        .map(|([_, load], i)| [step(i), load]);
+    // It comes off at -1.084 um.
+    let retract = (-400..400).rev().map(step);
+    let retract = retract.map(|x| if x < -1.084e-6 { [x, 0.0] } else { contact(x) });
+    (probe, [approach.collect(), retract.collect()])
+}
+
+/// A cycle under a cone, which jumps into contact at first touch, by the closed form of JKR. Its retract ends in contact,
+/// with the radius `last`.
+fn under_a_cone(points_before: i32, last: f64) -> (Probe, Ways) {
+    let half_angle = 70_f64.to_radians();
+    let contact = |a: f64| {
+        let depth = PI / 2.0 * a / half_angle.tan();
+        let [opened, pulled] = [
+            2.0 * PI * a * WORK / REDUCED,
+            8.0 * PI * a.powi(3) * REDUCED * WORK,
+        ];
+        [depth - opened.sqrt(), REDUCED * depth * a - pulled.sqrt()]
+    };
+    let radii =
+        |from: f64, to: f64| (0..400).map(move |i| from + (to - from) * f64::from(i) / 399.0);
+    let before = (1..=points_before)
+        .rev()
+        .map(|i| [-5e-9 * f64::from(i), 0.0]);
+    // The penetration is 0 at the first radius.
+    let first = 2.0 * PI * WORK / REDUCED * (half_angle.tan() * 2.0 / PI).powi(2);
+    let approach = before.chain(radii(first, 6e-6).map(contact));
+    let retract = radii(6e-6, last).map(contact);
+    (
+        Probe::Cone { half_angle },
+        [approach.collect(), retract.collect()],
+    )
+}
+
+/// A contact that begins without a jump, or with one that the noise hides or that lies within the end which is looked at
+/// first, may have few points before it.
+#[test]
+fn a_short_baseline_before_an_approach_is_found() {
+    let free = |probe: &Probe| match probe {
+        // Its load does not depend on the work of adhesion.
+        Probe::FlatPunch { .. } => HERTZ.to_vec(),
+        _ => FORCE_CURVE.to_vec(),
+    };
+    for (name, (probe, ways), noise) in [
+        ("corner", under_a_punch(35), 1e-9),
+        ("jump", under_a_cone(35, 4e-6), 2e-10),
+        ("hidden jump", under_a_cone(60, 4e-6), 1.3e-9),
+        ("tension", under_a_cone(35, 0.85e-6), 1e-9),
+    ] {
+        let free = free_of(&free(&probe));
+        let bodies = Bodies::half_space(half_space_of(probe, f64::INFINITY, solid(2e4, 0.5)));
+        for seed in 10..14 {
+            let mut random = Contacts::new(seed);
+            let ways = ways.iter().zip(Direction::ALL);
+            let states =
+                ways.flat_map(|(way, direction)| way.iter().map(move |state| (state, direction)));
+            let points = (1..)
+                .zip(states)
+                .map(|(line, ([x, load], direction))| Point {
+                    line,
+                    abscissa: x + 1e-7,
+                    ordinate: load + 3e-9 + noise * random.normal(),
+                    direction: Some(direction),
+                });
+            let measured = measurement(Kind::LoadPenetration, points.collect());
+            let mut experiment = Experiment::new(measured, bodies.clone());
+            experiment.work_of_adhesion = WORK;
+            experiment.noise = Some(noise);
+            let found = fitted(&experiment, &free);
+            let off = [
+                (Parameter::FilmModulus, 2e4),
+                (Parameter::ContactPoint, 1e-7),
+            ]
+            .map(|(parameter, truth)| off_by(&found, parameter, truth));
+            let is_near = off.iter().all(|off| off.abs() < 4.0);
+            assert!(
+                is_near,
+                "{name}, seed {seed}: {off:?}, {:?}",
+                found.warnings
+            );
+            assert_silent(&found, WarningKind::PoorFit);
+        }
+    }
 }
 
 /// Where a retract ends at its largest tension, its end is as flat as a baseline. A baseline that goes on tells it.

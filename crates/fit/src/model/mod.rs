@@ -14,6 +14,7 @@
 mod assign;
 mod bodies;
 mod branch;
+mod corner;
 mod differences;
 mod errors;
 mod experiment;

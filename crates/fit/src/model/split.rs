@@ -1,5 +1,6 @@
 //! Where contact and baseline meet in a way between the largest contact and none.
 
+use super::corner::level_after_corner;
 use crate::statistics::{MEDIAN, median};
 
 /// Steps and levels count if they exceed the noise by this factor.
@@ -8,6 +9,10 @@ const SIGNIFICANT: f64 = 6.0;
 const NEAR: f64 = 5.0;
 /// The part of the last readings from which a baseline without a jump is read.
 const TAIL: f64 = 0.2;
+/// The scatter of the last readings, over the noise of neighbours, from which on a contact may be among them.
+const UNEVEN: f64 = 1.2;
+/// The distance of an uneven end from the baseline of the other way, over its scatter, from which on it is no baseline.
+const BELOW: f64 = 3.0;
 /// The rise of the last readings above a level, over the noise, that is more than chance: the standard deviation of
 /// their median is 0.6 to 0.8 noises.
 const RISE: f64 = 2.0;
@@ -28,14 +33,20 @@ pub(super) struct KnownBaseline {
     pub level_is_free: bool,
     /// The noise of a reading.
     pub noise: f64,
+    /// The level of the other way of a cycle, if it has been read.
+    pub of_other_way: Option<f64>,
 }
 
 impl KnownBaseline {
-    /// Returns how many `readings` are in contact, and the number of the first one on the baseline. The readings
-    /// go from the largest contact to none.
-    pub fn split(&self, readings: &[f64]) -> [usize; 2] {
-        self.jump(readings)
-            .unwrap_or_else(|| self.flat_end(readings))
+    /// Returns how many `readings` are in contact, and the number of the first one on the baseline, whose level is
+    /// kept for the other way. The readings go from the largest contact to none.
+    pub fn split(&mut self, readings: &[f64]) -> [usize; 2] {
+        let [contact_ends, baseline_begins] = self
+            .jump(readings)
+            .unwrap_or_else(|| self.flat_end(readings));
+        let baseline = &readings[baseline_begins..];
+        self.of_other_way = (!baseline.is_empty()).then(|| median(baseline.to_vec()));
+        [contact_ends, baseline_begins]
     }
 
     /// Returns by how much `readings` fall below the baseline before they jump to it, if they do by more than chance.
@@ -64,7 +75,8 @@ impl KnownBaseline {
     /// the reading without a contact to it.
     fn jump(&self, readings: &[f64]) -> Option<[usize; 2]> {
         let step = |i: usize| readings[i + 1] - readings[i];
-        let free = median(readings[readings.len() - tail(readings.len())..].to_vec());
+        let end = |length: usize| median(readings[readings.len() - length..].to_vec());
+        let free = end(tail(readings.len())).max(end(FEWEST));
         let mut jumps: Vec<usize> = (0..readings.len() - 1)
             .filter(|&i| readings[i] < free && step(i) > SIGNIFICANT * self.noise)
             .collect();
@@ -99,7 +111,23 @@ impl KnownBaseline {
     /// that the noise hides, or as slowly as it has fallen from its largest value.
     pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
         let count = readings.len();
-        let Some([level, noise]) = self.level(&readings[count - tail(count)..]) else {
+        // The level, its noise, and how many of the last readings have it in any case.
+        let end = |length: usize, certain: usize| {
+            let [level, noise] = self.level(&readings[count - length..])?;
+            Some((level, noise, certain))
+        };
+        let usual = || end(tail(count), 0);
+        let short = || level_after_corner(readings, self.noise).and_then(|m| end(m, m / 2));
+        // An uneven end far below the baseline of the other way is a contact in tension.
+        let is_below = |&(level, noise, _): &(f64, f64, usize)| {
+            self.of_other_way
+                .is_some_and(|other| level < other - BELOW * noise)
+        };
+        let found = usual()
+            .filter(|(_, noise, _)| *noise <= UNEVEN * self.noise)
+            .or_else(short)
+            .or_else(|| usual().filter(|found| !is_below(found)));
+        let Some((level, noise, certain)) = found else {
             return [count; 2];
         };
         let off = |i: usize, by: f64| (readings[i] - level).abs() > by * noise;
@@ -119,10 +147,17 @@ impl KnownBaseline {
         // A retract that ends in contact, after its largest tension, is flat there, and rises behind it.
         let last = SIDE.min(tail(count) / 2);
         let rise = median(readings[count - last..].to_vec()) - level;
-        if self.level_is_free && rise > RISE * self.noise && baseline_begins + FEWEST > count {
+        if self.level_is_free
+            && rise > RISE * self.noise
+            && baseline_begins + FEWEST > count
+            && certain == 0
+        {
             return [count; 2];
         }
-        [contact_ends, baseline_begins.min(count)]
+        [
+            contact_ends,
+            baseline_begins.min(count - certain).max(contact_ends),
+        ]
     }
 }
 
@@ -141,6 +176,7 @@ mod tests {
             level: 0.0,
             level_is_free: true,
             noise,
+            of_other_way: None,
         }
     }
 
@@ -150,7 +186,7 @@ mod tests {
         let contact = (0..100).map(|i| 80.0 - 0.8 * f64::from(i));
         let tension = [-2.0, -5.0, -7.0, -8.0, -8.0, -5.5];
         let readings: Vec<f64> = contact.chain(tension).chain([0.0; 100]).collect();
-        let baseline = baseline(1.0);
+        let mut baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [106, 111]);
     }
 
@@ -169,7 +205,7 @@ mod tests {
         let contact = (0..200).map(f64::from);
         let contact = contact.map(|i| 8.0 * (1.0 - i / 199.0).powf(1.5) - (i / 25.0).min(1.0));
         let readings: Vec<f64> = contact.chain([-0.45; 30]).chain([0.0; 100]).collect();
-        let baseline = baseline(0.01);
+        let mut baseline = baseline(0.01);
         assert_eq!(baseline.split(&readings), [200, 230]);
     }
 
@@ -178,7 +214,7 @@ mod tests {
     fn a_largest_tension_is_no_baseline() {
         let parabola = (0..80).map(|i| 0.25 * f64::from(i - 72).powi(2));
         let readings: Vec<f64> = parabola.collect();
-        let baseline = baseline(1.0);
+        let mut baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [80; 2]);
         // Of few readings, too.
         let few = (0..20).map(|i| 3.0 * f64::from(i - 16).powi(2));

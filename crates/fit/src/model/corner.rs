@@ -1,0 +1,69 @@
+//! The corner between a contact and a baseline that is shorter than the end which is looked at first.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::split::FEWEST;
+use crate::statistics::{BEYOND_CHANCE, excess};
+
+/// The terms of a smooth course, and of a contact with its level.
+const TERMS: usize = 5;
+/// The fewest readings that can be told from a smooth course, and the most means of neighbours that are compared.
+const SHORTEST: usize = 4 * FEWEST;
+const MOST: usize = 96;
+/// The fall of the sum of squares, over the variance of the noise, by which a corner describes readings better than a
+/// smooth course: 5 standard deviations.
+const CLEAR: f64 = 25.0;
+
+/// Returns how many of the last `readings` are level, if a cubic that begins there, at a corner or a step, describes the
+/// readings before them to their `noise`, and a polynomial through all of them does not. A contact that ends smoothly, as
+/// at its largest tension, has no corner.
+pub(super) fn level_after_corner(readings: &[f64], noise: f64) -> Option<usize> {
+    let halves = std::iter::successors(Some(readings.len()), |length| Some(length / 2));
+    let mut lengths = halves.take_while(|length| *length >= SHORTEST);
+    lengths.find_map(|length| {
+        let block = length.div_ceil(MOST);
+        let mean = |block: &[f64]| block.iter().sum::<f64>() / block.len() as f64;
+        // From the last one on, in standard deviations.
+        let means = readings.rchunks_exact(block).take(length / block);
+        let deviation = noise / (block as f64).sqrt();
+        let means: Vec<f64> = means.map(|block| mean(block) / deviation).collect();
+        let smooth = squares(&means, |u| [1.0, u, u.powi(2), u.powi(3), u.powi(4)])?;
+        let behind = |level: usize| {
+            let begins = (level as f64 - 0.5) / means.len() as f64;
+            let contact = |s: f64| [1.0, 1.0, s, s.powi(2), s.powi(3)];
+            let terms = |u| {
+                if u < begins {
+                    [1.0, 0.0, 0.0, 0.0, 0.0]
+                } else {
+                    contact(u - begins)
+                }
+            };
+            Some((level, squares(&means, terms)?))
+        };
+        let levels = (FEWEST..=means.len() / 2).filter_map(behind);
+        let (level, least) = levels.min_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        let is_described = excess(least, (means.len() - TERMS) as f64) < BEYOND_CHANCE;
+        let is_corner = is_described && smooth - least > CLEAR;
+        is_corner.then_some(level * block)
+    })
+}
+
+/// Returns the least sum of squared residuals of a sum of `terms`, which are functions of the number of a reading over the
+/// count of them.
+fn squares(readings: &[f64], terms: impl Fn(f64) -> [f64; TERMS]) -> Option<f64> {
+    // Less the first one, so that large readings are not rounded.
+    let first = *readings.first()?;
+    let rows = readings.iter().enumerate().map(|(i, reading)| {
+        let row = SVector::from(terms(i as f64 / readings.len() as f64));
+        (row, reading - first)
+    });
+    let mut normal = SMatrix::<f64, TERMS, TERMS>::zeros();
+    let mut right = SVector::<f64, TERMS>::zeros();
+    for (row, reading) in rows.clone() {
+        normal += row * row.transpose();
+        right += row * reading;
+    }
+    let found = normal.cholesky()?.solve(&right);
+    let residuals = rows.map(|(row, reading)| reading - row.dot(&found));
+    Some(residuals.map(|residual| residual * residual).sum())
+}
