@@ -22,6 +22,7 @@ mod left_out;
 mod limits_of_doubts;
 mod line_doubts;
 mod line_speed;
+mod line_steps;
 mod magnitudes;
 mod minima;
 mod noise;

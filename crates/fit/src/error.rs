@@ -142,8 +142,8 @@ impl Error {
         let remedy = match unknown {
             0 => ": measure more points or free fewer parameters".to_owned(),
             _ => format!(
-                "; {unknown} more lie at the ends of ways, where the speed of the contact line is not known: take more images, \
-                 at least some 30 of each way, or fit without doubling-speed and speed-exponent"
+                "; {unknown} more lie at the ends of ways or at sudden steps of the load, where the speed of the contact line is \
+                 not known: take more images, at least some 30 of each way and 15 of each step, or fit without doubling-speed and speed-exponent"
             ),
         };
         Self::NotFitted(format!(

@@ -190,7 +190,8 @@ named! {
         NoContact = "no-contact",
         /// They are near the largest radius of a cycle, where the line may not have moved yet.
         Turn = "turn",
-        /// They are at the end of a way, where the speed of the contact line is not known, and adhesion depends on it.
+        /// They are at the end of a way, or at a sudden step of the load or penetration, where the speed of the contact line is
+        /// not known, and adhesion depends on it.
         UnknownSpeed = "unknown-speed",
         /// They are in contact, but within 4 standard errors of the end of the fitted branch. No more than a tenth of the
         /// points in contact is left out for this.
@@ -208,7 +209,7 @@ impl LeftOutReason {
             Self::NoContact => "without a contact",
             Self::Turn => "at the turn, where the contact line may not have moved",
             Self::UnknownSpeed => {
-                "at the end of a way, where the speed of the contact line is not known"
+                "at the end of a way or at a sudden step, where the speed of the contact line is not known"
             }
             Self::NearEnd => "within 4 standard errors of the end of the fitted branch",
             Self::BeyondEnd => "in contact beyond the end of the fitted branch",

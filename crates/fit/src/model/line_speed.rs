@@ -23,6 +23,8 @@ const MOST: usize = 1000;
 /// the standard deviation of rounding over its step, `1/sqrt(12)`.
 const ROUNDED: f64 = 0.25;
 const OF_ROUNDING: f64 = 0.289;
+/// The step of a load or penetration, over the largest other one within [`FEWEST`] points, from which on it is sudden.
+const SUDDEN: f64 = 5.0;
 /// The steps of a speed, in its standard deviations, over which the change of the model is taken.
 const STEPS: [f64; 2] = [1.0, 3.0];
 /// What a fit needs of the two numbers of the law.
@@ -117,10 +119,10 @@ impl Experiment {
     ///
     /// Each is the slope of a cubic through the radii of neighbours in time: so many on each side that the radius
     /// changes by 20 of its standard deviations, but at most a quarter of the points of the way (successive points in contact
-    /// with one direction), and at most 1000. So its standard error is some 10 % where the line moves. The standard deviation of a radius is the known one, or
-    /// the one that neighbours show; where the radii are no cubic, [`LineSpeed::misfit`] tells their residuals. At the
-    /// first and last three points of a way a slope would depend on how the radii bend: the standard deviation of the speed
-    /// is infinite there.
+    /// with one direction, up to a sudden step of the load or penetration), and at most 1000. So its standard error is some
+    /// 10 % where the line moves. The standard deviation of a radius is the known one, or the one that neighbours show; where
+    /// the radii are no cubic, [`LineSpeed::misfit`] tells their residuals. At the first and last three points of a way a
+    /// slope would depend on how the radii bend: the standard deviation of the speed is infinite there.
     pub(crate) fn speeds_of_line(&self) -> Cow<'_, [LineSpeed]> {
         let points = &self.measurement.points;
         if self.line_speeds.len() == points.len() || self.times.len() != points.len() {
@@ -134,7 +136,9 @@ impl Experiment {
         let same =
             |i: &usize, j: &usize| *j == i + 1 && points[*i].direction == points[*j].direction;
         for way in in_contact.chunk_by(same) {
-            self.read_speeds(way, &mut speeds);
+            for part in self.between_steps(way) {
+                self.read_speeds(part, &mut speeds);
+            }
         }
         Cow::Owned(speeds)
     }
@@ -144,6 +148,31 @@ impl Experiment {
         if self.has_line_law() {
             self.line_speeds = self.speeds_of_line().into_owned();
         }
+    }
+
+    /// Returns the parts of a way between sudden steps of the load or penetration, after which the line moves much faster
+    /// than before: no cubic describes both sides of one.
+    fn between_steps<'a>(&self, way: &'a [usize]) -> Vec<&'a [usize]> {
+        let imposed = |i: usize| self.measurement.points[i].ordinate;
+        let steps = way
+            .windows(2)
+            .map(|pair| imposed(pair[1]) - imposed(pair[0]));
+        let steps: Vec<f64> = steps.map(f64::abs).collect();
+        let largest = |steps: &[f64]| steps.iter().copied().fold(0.0, f64::max);
+        let is_sudden = |&k: &usize| {
+            let before = &steps[k.saturating_sub(FEWEST)..k];
+            let after = &steps[k + 1..(k + 1 + FEWEST).min(steps.len())];
+            steps[k] > SUDDEN * largest(before).max(largest(after))
+        };
+        let mut parts = Vec::new();
+        let mut rest = way;
+        for k in (0..steps.len()).filter(is_sudden) {
+            let (part, next) = rest.split_at(k + 1 - (way.len() - rest.len()));
+            parts.push(part);
+            rest = next;
+        }
+        parts.push(rest);
+        parts
     }
 
     /// Reads the speeds of the points of one way.
