@@ -76,7 +76,7 @@ impl Experiment {
                 if Parameter::WORKS.into_iter().any(adheres) {
                     let level = Parameter::LEVELS.into_iter().any(&is_free);
                     let slope = is_free(Parameter::BaselineSlope);
-                    let mut baseline = self.known_baseline(noise, level || slope);
+                    let baseline = self.known_baseline(noise, level || slope);
                     let slope = if slope {
                         self.tilt(&segments, baseline)
                     } else {
@@ -268,7 +268,7 @@ impl Experiment {
         branches: &mut [Branch],
         segments: &[Vec<usize>],
         slope: f64,
-        mut split: impl FnMut(&[f64]) -> [usize; 2],
+        split: impl Fn(&[f64]) -> [usize; 2],
     ) {
         for way in segments.iter().filter(|way| way.len() >= FEWEST) {
             let [contact_ends, baseline_begins] = split(&self.readings(way, slope));
@@ -317,7 +317,6 @@ impl Experiment {
             level: self.load_offset + self.baseline,
             level_is_free,
             noise,
-            of_other_way: None,
         }
     }
 

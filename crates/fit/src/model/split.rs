@@ -11,8 +11,6 @@ const NEAR: f64 = 5.0;
 const TAIL: f64 = 0.2;
 /// The scatter of the last readings, over the noise of neighbours, from which on a contact may be among them.
 const UNEVEN: f64 = 1.2;
-/// The distance of an uneven end from the baseline of the other way, over its scatter, from which on it is no baseline.
-const BELOW: f64 = 3.0;
 /// The rise of the last readings above a level, over the noise, that is more than chance: the standard deviation of
 /// their median is 0.6 to 0.8 noises.
 const RISE: f64 = 2.0;
@@ -33,20 +31,14 @@ pub(super) struct KnownBaseline {
     pub level_is_free: bool,
     /// The noise of a reading.
     pub noise: f64,
-    /// The level of the other way of a cycle, if it has been read.
-    pub of_other_way: Option<f64>,
 }
 
 impl KnownBaseline {
-    /// Returns how many `readings` are in contact, and the number of the first one on the baseline, whose level is
-    /// kept for the other way. The readings go from the largest contact to none.
-    pub fn split(&mut self, readings: &[f64]) -> [usize; 2] {
-        let [contact_ends, baseline_begins] = self
-            .jump(readings)
-            .unwrap_or_else(|| self.flat_end(readings));
-        let baseline = &readings[baseline_begins..];
-        self.of_other_way = (!baseline.is_empty()).then(|| median(baseline.to_vec()));
-        [contact_ends, baseline_begins]
+    /// Returns how many `readings` are in contact, and the number of the first one on the baseline. The readings
+    /// go from the largest contact to none.
+    pub fn split(&self, readings: &[f64]) -> [usize; 2] {
+        self.jump(readings)
+            .unwrap_or_else(|| self.flat_end(readings))
     }
 
     /// Returns by how much `readings` fall below the baseline before they jump to it, if they do by more than chance.
@@ -118,15 +110,10 @@ impl KnownBaseline {
         };
         let usual = || end(tail(count), 0);
         let short = || level_after_corner(readings, self.noise).and_then(|m| end(m, m / 2));
-        // An uneven end far below the baseline of the other way is a contact in tension.
-        let is_below = |&(level, noise, _): &(f64, f64, usize)| {
-            self.of_other_way
-                .is_some_and(|other| level < other - BELOW * noise)
-        };
         let found = usual()
             .filter(|(_, noise, _)| *noise <= UNEVEN * self.noise)
             .or_else(short)
-            .or_else(|| usual().filter(|found| !is_below(found)));
+            .or_else(usual);
         let Some((level, noise, certain)) = found else {
             return [count; 2];
         };
@@ -176,7 +163,6 @@ mod tests {
             level: 0.0,
             level_is_free: true,
             noise,
-            of_other_way: None,
         }
     }
 
@@ -186,7 +172,7 @@ mod tests {
         let contact = (0..100).map(|i| 80.0 - 0.8 * f64::from(i));
         let tension = [-2.0, -5.0, -7.0, -8.0, -8.0, -5.5];
         let readings: Vec<f64> = contact.chain(tension).chain([0.0; 100]).collect();
-        let mut baseline = baseline(1.0);
+        let baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [106, 111]);
     }
 
@@ -205,7 +191,7 @@ mod tests {
         let contact = (0..200).map(f64::from);
         let contact = contact.map(|i| 8.0 * (1.0 - i / 199.0).powf(1.5) - (i / 25.0).min(1.0));
         let readings: Vec<f64> = contact.chain([-0.45; 30]).chain([0.0; 100]).collect();
-        let mut baseline = baseline(0.01);
+        let baseline = baseline(0.01);
         assert_eq!(baseline.split(&readings), [200, 230]);
     }
 
@@ -214,7 +200,7 @@ mod tests {
     fn a_largest_tension_is_no_baseline() {
         let parabola = (0..80).map(|i| 0.25 * f64::from(i - 72).powi(2));
         let readings: Vec<f64> = parabola.collect();
-        let mut baseline = baseline(1.0);
+        let baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [80; 2]);
         // Of few readings, too.
         let few = (0..20).map(|i| 3.0 * f64::from(i - 16).powi(2));

@@ -14,13 +14,13 @@ const SMALL: f64 = 0.3;
 impl Experiment {
     /// Returns the slope of the baseline: first from the ends of the ways, and from there from all points that they have
     /// on the baseline. Where the ends are not straight it is that of the experiment.
-    pub(super) fn tilt(&self, ways: &[Vec<usize>], mut baseline: KnownBaseline) -> f64 {
-        let noise = baseline.noise;
+    pub(super) fn tilt(&self, ways: &[Vec<usize>], baseline: KnownBaseline) -> f64 {
         let all = ways.iter().filter(|way| way.len() >= FEWEST);
         let ends = all.clone().map(|way| way.len() - tail(way.len()));
         let middle = |begins: &mut dyn Iterator<Item = usize>| {
             let pairs = all.clone().zip(begins);
-            let slopes = pairs.filter_map(|(way, begin)| self.slope_of_end(way, begin, noise));
+            let slopes =
+                pairs.filter_map(|(way, begin)| self.slope_of_end(way, begin, baseline.noise));
             let slopes: Vec<f64> = slopes.collect();
             (!slopes.is_empty()).then(|| median(slopes))
         };
