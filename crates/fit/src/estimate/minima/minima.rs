@@ -7,6 +7,7 @@ use interp::Table;
 use levenberg_marquardt::LeastSquaresProblem;
 
 use super::minimum::{Minimum, Rival};
+use super::profile::with_fixed;
 use super::search::{COARSE, PATIENCE, is_bad, settle};
 use super::valley::{MARGIN, bend, doubtful, is_costly, other_sides};
 use crate::estimate::problem::assigned::Assigned;
@@ -24,9 +25,9 @@ use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 const FACTORS: [f64; 2] = [0.05, 20.0];
 /// The thicknesses of a film, over the largest contact radius, from which a fit starts.
 const THICKNESSES: [f64; 2] = [0.1, 1.0];
-/// The changes of the load by adhesion, over the range of the loads, from which a fit starts whose work of adhesion
-/// ended at 0. Its logarithm does not come back from there.
-const ADHESION: [f64; 2] = [0.1, 0.5];
+/// The changes of the load by adhesion, over the range of the loads, at the lowest of which a fit starts again whose work of
+/// adhesion ended at 0. Its logarithm does not come back from there.
+const ADHESION: [f64; 6] = [0.05, 0.1, 0.2, 0.3, 0.5, 0.8];
 /// The most evaluations over the number of parameters + 1 of a fit from another start.
 const FEWER: usize = 12;
 /// A minimum is no better than one found before it if its sum of squares is smaller by less than this:
@@ -37,9 +38,9 @@ const APART: f64 = 3.0;
 
 /// Finds the best minimum, and its rivals.
 ///
-/// The first start is enough where its end describes the data, tells all moduli, thicknesses and
-/// works of adhesion to [`super::valley`]'s small errors, and has no work of adhesion that ended at 0. Else other starts are tried, and the
-/// valley of the least known value is followed to both sides.
+/// The first start is enough where its end describes the data and tells all moduli, thicknesses and works of adhesion to
+/// [`super::valley`]'s small errors. Else other starts are tried, and the valley of the least known value is followed to
+/// both sides. From a work of adhesion that ended at 0 a fit starts again with adhesion.
 pub(crate) fn minimum<'a>(
     table: &'a Table,
     data: &[Assigned],
@@ -65,13 +66,10 @@ pub(crate) fn minimum<'a>(
         Some((slot, uncertainty.relative_error(slot)))
     });
     let from_data = without_starts(data, free);
-    let ended_at_zero = |first: &Problem<'_>| !no_adhesion::ended_at_zero(first).is_empty();
-    let lost_adhesion = first.as_ref().is_ok_and(ended_at_zero);
     // A thin and a stiff film may look like a thick and a soft one.
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let is_film_free = is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness);
-    let needs_others =
-        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free || lost_adhesion;
+    let needs_others = is_bad || doubtful.is_some() || from_data.is_some() || is_film_free;
     let (first, failure) = match first {
         Ok(first) if !needs_others => return Ok(best(vec![first], data)),
         Ok(first) => (Some(first), None),
@@ -81,9 +79,6 @@ pub(crate) fn minimum<'a>(
     let mut variations = variations(free, &few, is_bad);
     if from_data.is_some() {
         variations.insert(0, Variation::None);
-    }
-    if lost_adhesion {
-        variations.extend(ADHESION.map(Variation::Adhesion));
     }
     // A start where the model has no contact is no start.
     let starts = variations.into_iter();
@@ -189,6 +184,9 @@ fn best<'a>(mut ends: Vec<Problem<'a>>, data: &[Assigned]) -> Minimum<'a> {
         }
         minima.push(settle(problem, data));
     }
+    if let Some(place) = minima.iter().find_map(|one| with_adhesion(&one.problem)) {
+        minima.push(settle(place, data));
+    }
     // One after another, because the points in common differ from pair to pair.
     let is_better = |one: &Minimum<'_>, other: &Minimum<'_>| {
         let failed = [one, other].map(|minimum| minimum.problem.ending != Ending::Converged);
@@ -215,6 +213,25 @@ fn best<'a>(mut ends: Vec<Problem<'a>>, data: &[Assigned]) -> Minimum<'a> {
         best.bend = bend(&best.problem, uncertainty);
     }
     best
+}
+
+/// Returns the lowest place with adhesion, if a work of adhesion ended at 0.
+fn with_adhesion<'a>(problem: &Problem<'a>) -> Option<Problem<'a>> {
+    let slots = no_adhesion::ended_at_zero(problem);
+    let first = *slots.first()?;
+    let place = |part: f64| {
+        let mut place = problem.clone();
+        for &slot in &slots {
+            let work = no_adhesion::work_of_part(problem, slot, part)?;
+            place.x[slot] = place.slots[slot].coordinate.of(work);
+        }
+        let work = place.value(first);
+        Some((with_fixed(&mut place, first, work, FEWER)?, place))
+    };
+    let places = ADHESION.into_iter().filter_map(place);
+    let (_, mut place) = places.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    place.update().ok()?;
+    Some(place)
 }
 
 /// Returns the sum of squares up to which an end on few points may be the best one on all.

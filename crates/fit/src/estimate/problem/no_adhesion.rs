@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use contact::Contact;
 
 use super::problem::Problem;
-use crate::{Error, Experiment, Kind, Warning, WarningKind};
+use crate::{Experiment, Kind, Warning, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
 const NO_ADHESION: f64 = 1.4e-4;
@@ -28,16 +28,15 @@ pub(crate) fn is_none(
         })
 }
 
-/// Returns the work of adhesion that changes the load at the contact radius `a` by a `part` of the range of the
-/// loads, as in [`is_none`].
-pub(crate) fn work_of_part(
-    experiment: &Experiment,
-    contact: &Contact,
-    a: f64,
-    part: f64,
-) -> Result<f64, Error> {
-    let stiffness = contact.stiffness(a)?;
-    Ok((part * experiment.compared_range() / a).powi(2) / (4.0 * PI * stiffness))
+/// Returns the work of adhesion of a slot that changes the load at the largest contact radius by a `part` of the range of
+/// the loads, as in [`is_none`]; `None` without a contact.
+pub(crate) fn work_of_part(problem: &Problem<'_>, slot: usize, part: f64) -> Option<f64> {
+    let e = problem.slots[slot].experiment.unwrap_or(0);
+    let experiment = &problem.assigned[e].experiment;
+    let [_, a] = problem.contact_radii(e)?;
+    let contact = problem.contact(&experiment.bodies, false).ok()?;
+    let stiffness = contact.stiffness(a).ok()?;
+    Some((part * experiment.compared_range() / a).powi(2) / (4.0 * PI * stiffness))
 }
 
 /// Lists the slots of the works of adhesion that ended at 0, which their logarithms never reach.

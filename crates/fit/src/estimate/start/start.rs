@@ -9,7 +9,6 @@ use super::relaxing_start;
 use super::starts::{Starts, root_of_modulus};
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
-use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::slot::Slot;
 use crate::model::has_no_start;
 use crate::statistics::median;
@@ -65,8 +64,6 @@ pub(crate) enum Variation {
     Times(Parameter, f64),
     /// The thickness of the film is a multiple of the largest contact radius.
     Thickness(f64),
-    /// The work of adhesion changes the load of the widest contact by a part of the range of the loads.
-    Adhesion(f64),
 }
 
 /// Gives the slots the starts that the data show, and returns the problem there.
@@ -147,15 +144,6 @@ pub(crate) fn problem<'a>(
         }
         if needs_size {
             starts.given.push(Parameter::FilmThickness);
-        }
-        if let Variation::Adhesion(part) = variation
-            && let Some(a) = largest
-            && one.experiment.measurement.kind != Kind::PenetrationRadius
-        {
-            let contact = starts.at.experiment.bodies.contact(table, &[])?;
-            let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
-            starts.give(Parameter::WorkOfAdhesion, work)?;
-            starts.give(Parameter::WorkOfAdhesionReceding, work)?;
         }
         let Starts { at, given, .. } = starts;
         for &(parameter, slot) in &own {
