@@ -282,12 +282,10 @@ impl Curve {
     /// slope is inaccurate. Below the nodes they are those of the expansion for thick films.
     ///
     /// Errors of the derivatives of the embedded table are at most about 60 times its tolerance for the film's Poisson
-    /// ratio, and below 10 times for the others. They are relative to the quantity and per unit of `ln(a/t)`, `ln
-    /// e1_over_e2` and `ln e0_over_e2`. The unit of the film's Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, that
-    /// of the substrate's `1/(1 + E1/E0)`: the sizes of a change that alters the contact. Measured by
-    /// `tests/contact/gradient` at 2000 random contacts of every contrast: 2.7, 9.5 and 9.5 tolerances, and 57 and 7.6
-    /// for the Poisson ratios; for `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to 1e6: 2.8, 3.5 and 3.1, and
-    /// 52 and 1.0.
+    /// ratio, 20 times for the substrate's, and 10 times for the others. They are relative to the quantity and per unit of `ln(a/t)`, `ln
+    /// e1_over_e2` and `ln e0_over_e2`. The unit of the film's Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, the
+    /// size of a change that alters the contact; that of the substrate's is 1. Measured by `tests/contact/gradient` at
+    /// 2000 random contacts of every contrast: 2.7, 9.5 and 9.5 tolerances, and 57 and 18 for the Poisson ratios.
     ///
     /// # Errors
     /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes; [`Error::NoGradient`] on a curve

@@ -67,7 +67,7 @@ pub struct Arguments {
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::points::MOST_POINTS))]
     points: u32,
-    /// Relative tolerance of direct solves [default: 1e-8]
+    /// Relative tolerance of direct solves, 1e-12 to 1e-2, with --friction stick from 1e-10 [default: 1e-8]
     #[arg(long, conflicts_with_all = ["table", "interaction_range", "half_space"], value_parser = quantity::number)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
