@@ -125,7 +125,10 @@ class Relaxation:
 
     @classmethod
     def modified_power_law(cls, relaxed: float, exponent: float, time: float) -> Relaxation:
-        """Return ``relaxed + (1 - relaxed) (1 + t/time)^-exponent``, with exponents as power laws."""
+        """Return ``relaxed + (1 - relaxed) (1 + t/time)^-exponent``.
+
+        The exponent is from 1e-9 to below 1.
+        """
         numbers = (number("relaxed", relaxed), number("exponent", exponent))
         return cls("modified_power_law", *numbers, (number("time", time),))
 
