@@ -3,6 +3,7 @@
 use anyhow::{Context as _, anyhow, bail, ensure};
 use clap::ValueEnum;
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
+use interp::Error::OutsideTable;
 use interp::Table;
 
 use super::bodies::Bodies;
@@ -269,13 +270,20 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
             }
             contact => contact,
         };
-        // A wider range may be out of reach where a narrower one is not.
-        let contact = match (contact, refused) {
+        let found = match (contact, refused) {
+            (Err(crate::Error::Contact(error @ Error::Table(OutsideTable { .. }))), _) => {
+                Err(error)
+            }
+            // A wider range may be out of reach where a narrower one is not.
             (Err(_), Some(refused)) => return Err(refused),
-            (contact, _) => contact?,
+            (contact, _) => {
+                let contact = contact?;
+                let state = contact.pull_off(bodies.work_of_adhesion, control);
+                state.map(|state| (contact, state))
+            }
         };
         let least = from * system.film_thickness;
-        refused = match contact.pull_off(bodies.work_of_adhesion, control) {
+        refused = match found {
             Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
                 if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
             {
@@ -296,7 +304,17 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
                  stack; with a smaller sphere or a smaller work of adhesion it is smaller"
             )),
             Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
-            state => return Ok((contact, state?)),
+            // A probe with a flat end has no smaller contact than this end.
+            Err(Error::Table(OutsideTable {
+                value, from, to, ..
+            })) => Some(anyhow!(
+                "the contact radius = {:.3e} m of the flat end is outside {:.3e} m to {:.3e} m, which are solved on this \
+                 film or stack; give another radius, or leave out a top layer that is too thin to matter",
+                value * system.film_thickness,
+                from * system.film_thickness,
+                to * system.film_thickness
+            )),
+            found => return Ok(found?),
         };
     }
     Err(refused.expect("there are ranges"))
