@@ -140,6 +140,18 @@ fn a_flat_end_of_any_radius_is_pulled_off_without_a_table() {
     ));
 }
 
+/// The narrowest contact of the first range that is solved is wider than the sphere.
+#[test]
+fn a_sphere_on_a_film_1000_times_as_thick_is_pulled_off_without_a_table() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --probe sphere --sphere-radius 10um --film-thickness 10mm";
+    let loads = ["", "embedded"].map(|table| {
+        let text = workdir.succeed(format!("pull-off {table} {bodies}"));
+        value(&text, "load")
+    });
+    assert_close(loads[0], loads[1], 1e-6);
+}
+
 /// The pull-off of a film that slides, beside the lowest load of a curve over wide contacts.
 #[test]
 fn a_pull_off_at_400_times_the_thickness_is_found() {

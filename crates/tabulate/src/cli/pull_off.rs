@@ -3,7 +3,7 @@
 use anyhow::{Context as _, anyhow, bail, ensure};
 use clap::ValueEnum;
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
-use interp::Error::OutsideTable;
+use interp::Error::{BeyondProbe, BeyondSphere, OutsideTable};
 use interp::Table;
 
 use super::bodies::Bodies;
@@ -271,9 +271,12 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
             contact => contact,
         };
         let found = match (contact, refused) {
-            (Err(crate::Error::Contact(error @ Error::Table(OutsideTable { .. }))), _) => {
-                Err(error)
-            }
+            (
+                Err(crate::Error::Contact(
+                    error @ Error::Table(OutsideTable { .. } | BeyondProbe { .. }),
+                )),
+                _,
+            ) => Err(error),
             // A wider range may be out of reach where a narrower one is not.
             (Err(_), Some(refused)) => return Err(refused),
             (contact, _) => {
@@ -284,16 +287,14 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
         };
         let least = from * system.film_thickness;
         refused = match found {
-            Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
-                if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
-            {
-                Some(anyhow!(
-                    "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
-                     solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
-                     digits",
-                    THICK / from
-                ))
-            }
+            Err(
+                Error::OutsideRadii { .. } | Error::Table(BeyondProbe { .. } | BeyondSphere { .. }),
+            ) if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) => Some(anyhow!(
+                "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
+                 solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
+                 digits",
+                THICK / from
+            )),
             Err(Error::OutsideRadii {
                 from,
                 to,
