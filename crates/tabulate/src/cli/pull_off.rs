@@ -260,7 +260,7 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
         let range = match &bodies.stack {
             Some(layers) => {
                 let reach = layers.stack().reach(over_top);
-                [from.min(1e-3 * reach), to.min(reach)]
+                [from.min(1e-3 * reach).max(A_OVER_T[0]), to.min(reach)]
             }
             None => [from, to],
         };
