@@ -140,6 +140,11 @@ fn what_is_not_solved_is_refused_with_the_reason() {
             "
         ));
     }
+    for command in [SIMULATE, "fit data.csv"] {
+        workdir.refuses(format!(
+            "1 | {command} {stick} --film-thickness 0.2um | 30 times; 6.0000e-6 m; leave out wider contacts"
+        ));
+    }
     for command in ["curve", "pull-off"] {
         workdir.refuses(format!(
             "

@@ -194,7 +194,8 @@ fn wrong_first_calls_say_what_to_do() {
         2 | curve embedded {FILM} --interface sliding | --interface; [TABLE]
         2 | curve --specimen paper --stack stack.toml --interface sliding | --interface; --stack
         2 | curve {FILM} --interface sliding --film-thickness 0.1um | --film-thickness
-        1 | curve --specimen paper --film-thickness 0.1um --interface sliding --to 150um | 1500; one layer; 1000
+        1 | curve --specimen paper --film-thickness 0.1um --interface sliding --to 150um | 0.00015 m; 1000 times; --to; 9.999999999999999e-5
+        1 | solve --a-over-t 1500 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 inf --interface sliding | 1500; one layer; 1000
         "
     ));
 }

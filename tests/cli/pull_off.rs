@@ -101,6 +101,57 @@ fn a_pull_off_beyond_the_nodes_of_the_table_is_solved_without_it() {
     assert_close(value(&text, "load"), substrate, 1e-3);
 }
 
+/// The contact of a flat end has one radius, which a narrow range of `a/t` need not hold.
+#[test]
+fn a_flat_end_of_any_radius_is_pulled_off_without_a_table() {
+    let workdir = workdir!();
+    let bodies =
+        "pull-off --specimen paper --probe flat-punch --film-thickness 10um --sphere-radius";
+    let of_table = bodies.replace("pull-off", "pull-off embedded");
+    let cone = bodies.replace("flat-punch", "flat-ended-cone --half-angle 70deg");
+    for radius in ["5nm", "50mm"] {
+        let [solved, looked_up] = [bodies, &of_table].map(|words| {
+            let text = workdir.succeed(format!("{words} {radius}"));
+            value(&text, "load")
+        });
+        assert_close(solved, looked_up, 1e-5);
+    }
+    // The line stays at the edge of so wide an end.
+    let loads = [bodies, &cone].map(|words| {
+        let text = workdir.succeed(format!("{words} 50mm"));
+        value(&text, "load")
+    });
+    assert_close(loads[0], loads[1], 1e-9);
+    let base = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }";
+    let layers = [(5e5, 9e-6), (3.5e6, 1e-8)].map(|(modulus, thickness)| {
+        format!(
+            "[[layers]]\nyoung_modulus = {modulus:e}\npoisson_ratio = 0.5\nthickness = {thickness:e}\n"
+        )
+    });
+    workdir.write("stack.toml", format!("{base}\n{}", layers.concat()));
+    let on_stack =
+        "pull-off --specimen paper --probe flat-punch --stack stack.toml --sphere-radius";
+    let curve = on_stack.replace("pull-off", "curve");
+    let text = workdir.succeed(format!("{on_stack} 9um"));
+    let lowest = workdir.csv(format!("{curve} 9um")).column("load");
+    assert_close(value(&text, "load"), lowest[0], 1e-6);
+    workdir.refuses(format!(
+        "1 | {on_stack} 11um | 1.100e-5 m; 1.000e-5 m; top layer"
+    ));
+}
+
+/// The narrowest contact of the first range that is solved is wider than the sphere.
+#[test]
+fn a_sphere_on_a_film_1000_times_as_thick_is_pulled_off_without_a_table() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --probe sphere --sphere-radius 10um --film-thickness 10mm";
+    let loads = ["", "embedded"].map(|table| {
+        let text = workdir.succeed(format!("pull-off {table} {bodies}"));
+        value(&text, "load")
+    });
+    assert_close(loads[0], loads[1], 1e-6);
+}
+
 /// The pull-off of a film that slides, beside the lowest load of a curve over wide contacts.
 #[test]
 fn a_pull_off_at_400_times_the_thickness_is_found() {

@@ -199,6 +199,15 @@ fn pull_offs_on_stacks_are_found_up_to_the_reach() {
         let printed = workdir.succeed("pull-off --specimen paper --stack stack.toml");
         assert_close(value(&printed, "load"), expected, 1e-5);
     }
+    // A top layer of a millionth of all layers is as if it were not there.
+    let thick = primer.replace("2.5e-6", "1e-3");
+    workdir.write(
+        "stack.toml",
+        format!("base = {silicon}\n{thick}\n[[layers]]\n{rubber}\nthickness = 1e-9\n"),
+    );
+    let sphere = "--sphere-radius 10um --sphere-modulus inf --work-of-adhesion 0.1mJ/m^2";
+    let printed = workdir.succeed(format!("pull-off {sphere} --stack stack.toml"));
+    assert_close(value(&printed, "load"), 1e-4 * jkr / 4.0, 1e-2);
 }
 
 /// A stack file has no units: moduli that no solid has are named.

@@ -347,7 +347,11 @@ fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
                 cohesive.pull_off(Control::Load)
             };
             let error = pull_off(radius).expect_err("too wide");
-            assert_names(&error.to_string(), "radius of the sphere; larger sphere");
+            let words = format!(
+                "wider than {:.3e} m; radius of the sphere; larger sphere",
+                0.9 * radius
+            );
+            assert_names(&error.to_string(), &words);
             pull_off(100.0 * radius).expect("narrow");
         }
     }

@@ -96,7 +96,7 @@ impl Contact {
     /// # Errors
     /// [`interp::Error::Unphysical`] unless `w` and the stress are positive and finite; [`Error::LongZone`]
     /// for a zone longer than [`CohesiveZone::LONGEST`] times the film, or top layer, or largest
-    /// contact; [`interp::Error::OtherProbe`] for a shape with edges or bends.
+    /// contact; [`interp::Error::OtherProbe`] for a shape with edges or bends; [`Error::Sticks`] with full friction.
     pub fn cohesive_zone(&self, w: f64, range: CohesiveZone) -> Result<ShortZone<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("stress of the attraction", range.stress)?;

@@ -116,7 +116,8 @@ impl Contact {
     ///
     /// # Errors
     /// As [`System::material`]; [`Error::OtherMaterial`] if the material of the curve differs by
-    /// more than rounding (`1e-12`).
+    /// more than rounding (`1e-12`). Under another probe than a paraboloid [`Error::Sticks`] on a curve with full
+    /// friction; under one that is no flat punch either, as [`Curve::accept_integrals`].
     pub fn new(system: &System, curve: Curve) -> Result<Self, Error> {
         let (mechanics, made_for) = (Mechanics::new(system)?, curve.material());
         let material = system.material()?;
@@ -198,8 +199,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`, as
-    /// [`Curve::quantity`]; [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the
-    /// sphere, as with `a` and `w` in the wrong order; [`interp::Error::Unphysical`] for `a <= 0`, `w < 0`,
+    /// [`Curve::quantity`]; as [`Mechanics::check_radius`] for an `a` that the probe does not have, as with `a`
+    /// and `w` in the wrong order; [`interp::Error::Unphysical`] for `w < 0`,
     /// infinity, NaN, or a load that overflows an f64; [`interp::Error::MissingQuantity`] without `pi0`
     /// and, if `w > 0`, without `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
@@ -235,9 +236,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`;
-    /// [`interp::Error::MissingQuantity`] without `eeq`; [`interp::Error::BeyondSphere`] for an `a` that is not
-    /// below the radius of the sphere; [`interp::Error::Unphysical`] for a stiffness that overflows an f64,
-    /// and unless `a` is positive and finite.
+    /// [`interp::Error::MissingQuantity`] without `eeq`; as [`Mechanics::check_radius`] for `a`;
+    /// [`interp::Error::Unphysical`] for a stiffness that overflows an f64.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
         self.mechanics.check_radius(a)?;
         let eeq = self.evaluate(
@@ -268,9 +268,7 @@ impl Contact {
     /// `g(a)`.
     ///
     /// # Errors
-    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`interp::Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a stress intensity that
-    /// overflows an f64.
+    /// As [`Mechanics::edge_singularity`].
     pub fn stress_intensity(&self, a: f64, w: f64) -> Result<f64, Error> {
         Ok(finite_result(
             a,

@@ -4,7 +4,7 @@
 //! the crate `interp` or from a direct solve. Everything after that is arithmetic. The README lists
 //! what a contact answers, with an example.
 //!
-//! All units are SI. Any f64 gives finite numbers or an error, never a panic.
+//! All units are SI. Functions that return a `Result` give finite numbers or an error for any f64, and none panics for one.
 //!
 //! # The files
 //!

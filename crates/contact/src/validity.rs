@@ -262,9 +262,8 @@ impl Contact {
     /// The size of friction takes two solves of a flat punch, which `solve::stick::Sticking::stiffening` makes.
     ///
     /// # Errors
-    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`interp::Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`
-    /// that a result overflows an f64.
+    /// As [`Mechanics::check_radius`](interp::Mechanics::check_radius); [`interp::Error::Unphysical`] for an `a` so
+    /// large beside `t` that a result overflows an f64.
     pub fn validity(&self, a: f64) -> Result<Validity, Error> {
         self.mechanics().check_radius(a)?;
         let a_over_r = match *self.probe() {
@@ -440,7 +439,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`interp::Error::Unphysical`] unless `w` and `interaction_range` are positive and finite, and for a
-    /// result that overflows an f64.
+    /// result that overflows an f64; [`interp::Error::OtherProbe`] for a probe without a radius of curvature.
     pub fn zone_size(&self, w: f64, interaction_range: f64) -> Result<ZoneSize<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("interaction range", interaction_range)?;

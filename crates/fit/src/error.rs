@@ -229,6 +229,7 @@ fn other_start(cause: &Error) -> &'static str {
             contact::Error::Table(OfStack | NotOfStack | Normalisation { .. })
             | contact::Error::Sticks { .. },
         )
+        | Error::NotFitted(_)
         | Error::Layers(solve::Error::Coupled { .. }) => "",
         _ => "; give another start",
     }

@@ -2,9 +2,9 @@
 //!
 //! An [`Experiment`] is a [`Measurement`] with what is known about it: the bodies, the work of
 //! adhesion, the zeros of the instrument. [`fit`] finds the parameters that are [`Free`], by
-//! Levenberg and Marquardt's method with the exact derivatives of the crate `interp` (on a stack of
-//! layers, [`Solver`], with central differences), and returns a [`Fit`]: estimates with standard
-//! errors, what the data do not determine, the same data without the film, and warnings. All units
+//! Levenberg and Marquardt's method with the exact derivatives of the crate `interp` (central
+//! differences on a stack of layers, [`Solver`], of contact stiffnesses, and beyond the nodes of the
+//! table in `a/t`), and returns a [`Fit`]: estimates with standard errors, what the data do not determine, the same data without the film, and warnings. All units
 //! are SI. Loads are positive in compression.
 //!
 //! ```

@@ -8,7 +8,8 @@
 //! outside the table, and the features.
 //!
 //! All units are SI. Loads are positive in compression; penetrations are positive when the sphere is
-//! below the undeformed surface. Any f64 gives finite numbers or an [`Error`], never a panic.
+//! below the undeformed surface. Functions that return a `Result` give
+//! finite numbers or an [`Error`] for any f64; all others are plain arithmetic. None panics for an f64.
 
 #![forbid(unsafe_code)]
 

@@ -53,9 +53,8 @@ const LEAST_DISTANCE: f64 = 2e-3;
 ///
 /// Measured from 1e-3 to 1e3 for 22 materials: at most 0.09 of the tolerance at fresh points. The
 /// paper's material takes 112 solves and 1.0 ms on two cores to 1e-6, 144 and 1.4 ms to 1e-8, 160
-/// and 3.2 ms to 1e-10. Others take up to 192 solves. A tolerance of 1e-10 is not reached for two
-/// incompressible films: one a million times softer than the sphere, on a rigid substrate, and one
-/// under a rigid sphere, on a substrate a hundred thousand times as stiff.
+/// and 3.2 ms to 1e-10. Others take up to 192 solves. A tolerance of 1e-10 is not reached for one: an
+/// incompressible film a million times softer than the sphere, on a rigid substrate.
 ///
 /// ```
 /// # fn main() -> Result<(), solve::Error> {

@@ -36,7 +36,7 @@ const MANY_LAYERS: usize = 4;
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
 /// [`solve`](crate::solve()); [`Error::StackReach`] where the contact is too wide beside the top layer
 /// ([`MOST_A_OVER_TOP`]); [`Error::NotConverged`] where double precision does not allow the
-/// tolerance.
+/// tolerance; as [`Stack::material`].
 pub fn solve_stack(
     a_over_t: f64,
     stack: &Stack,

@@ -22,7 +22,7 @@ impl Contact {
     /// negative between them. With full friction `F0' = S delta0'` holds for the `S` of a flat punch that sticks, which is not
     /// that of eq. 9, and `K` is the quotient of the slopes of load and penetration.
     ///
-    /// Measured accuracy: 1e-13 of `S` against JKR's closed form on a half-space; on films 4e-7 of the
+    /// Measured accuracy: 1e-13 of `S` against JKR's closed form on a half-space; on films 2.4e-6 of the
     /// larger of `S` and `|K|` against differences of force curves, which have a similar error, for
     /// every shape (`tests/contact/moving_stiffness.rs`). To this comes the error of the curve.
     ///

@@ -207,11 +207,11 @@ impl<'a> History<'a> {
     /// at 1e-5; the error that is reached is stated, and more than 0.5 is an error.
     ///
     /// # Errors
-    /// [`Error::Refused`] says what is wrong with the program, as with one whose first value is not 0 or
-    /// less; [`Error::NotOneDisc`] where a dent has not recovered;
-    /// [`Error::Unreached`] for a tolerance that is not reached;
-    /// [`Error::OutsideRadii`] where the curve does not hold the contact
-    /// radius.
+    /// [`Error::Refused`] says what is wrong with the program or the times, as with a first value that is not 0 or
+    /// less, or with adhesion under such a program; [`Error::NotOneDisc`] where a dent has not recovered;
+    /// [`Error::Unreached`] for a tolerance that is not reached; [`Error::OutsideRadii`] where the curve does not hold
+    /// the contact radius; [`Error::UnlikeBodies`] after [`History::beside`]; [`interp::Error::InvalidArgument`] for a
+    /// `tolerance` outside `[1e-10, 1e-2]`; [`interp::Error::Unphysical`] for a stiffness outside `[1e-100, 1e100]`.
     pub fn at(
         &self,
         control: Control,

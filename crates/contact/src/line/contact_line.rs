@@ -43,7 +43,7 @@ impl Contact {
     /// # Errors
     /// As [`Contact::load_and_penetration`]; [`interp::Error::Unphysical`] for a law whose energies at rest
     /// are negative, infinite or in the wrong order; [`interp::Error::MissingQuantity`] without all four
-    /// quantities.
+    /// quantities; [`interp::Error::OtherProbe`] under a flat punch; [`Error::Sticks`] with full friction.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
         let [advancing, _] = self.energies_of_line(&law)?;
         self.quantities(a)?;

@@ -19,8 +19,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`;
-    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`interp::Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
+    /// as [`interp::Mechanics::check_radius`] for `a`; [`interp::Error::Unphysical`] for numbers that are not finite;
     /// [`interp::Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         self.mechanics().check_radius(a)?;
@@ -75,7 +74,8 @@ impl Contact {
     /// [`interp::Error::Unphysical`] for a `load` that is larger than without adhesion at this
     /// `penetration` (larger than 0 if the `penetration` is not positive), or numbers that are not
     /// finite; [`Error::OutsideRadii`] if the contact radius is not in
-    /// [`Contact::contact_radius_range`]; [`interp::Error::MissingQuantity`] without all four quantities.
+    /// [`Contact::contact_radius_range`]; [`interp::Error::MissingQuantity`] without all four quantities;
+    /// [`interp::Error::OtherProbe`] under a flat punch; [`Error::Sticks`] with full friction.
     pub fn radius_and_energy_release_rate(
         &self,
         load: f64,

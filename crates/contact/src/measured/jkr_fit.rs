@@ -137,7 +137,7 @@ impl Contact {
     ///
     /// # Errors
     /// As [`Contact::load`] and [`JkrFit::through`]; [`interp::Error::InvalidArgument`] unless `points` is
-    /// 2 to 1,000,000.
+    /// 2 to 1,000,000; [`interp::Error::OtherProbe`] for a probe without a radius of curvature.
     pub fn jkr_fit(&self, w: f64, [from, to]: [f64; 2], points: usize) -> Result<JkrFit, Error> {
         number_of_points(points)?;
         self.with_radius_of_curvature("a JKR plot")?;

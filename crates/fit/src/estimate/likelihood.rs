@@ -96,7 +96,7 @@ impl Likelihood {
     }
 
     /// Computes the logarithm of the likelihood at values, and its derivatives with respect to them,
-    /// which are exact, on layers and of contact stiffnesses by central differences. They are NaN where the
+    /// exact or by central differences as those of [`Experiment::predictions`]. They are NaN where the
     /// likelihood is 0.
     ///
     /// # Errors

@@ -38,8 +38,8 @@ const MOST_RESTARTS: usize = 8;
 
 /// Finds the free parameters of one or several experiments.
 ///
-/// Levenberg and Marquardt's method with the analytic Jacobian, on a stack of layers with central
-/// differences, minimises the loss. Moduli, works of
+/// Levenberg and Marquardt's method, with the derivatives of [`Experiment::predictions`], minimises
+/// the loss. Moduli, works of
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
 /// lines through the data without the film. Where it ends in a bad minimum, or tells a modulus, a
 /// thickness or a work of adhesion to no better than 3 %, other starts are tried, and the best

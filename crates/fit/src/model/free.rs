@@ -142,7 +142,7 @@ pub struct Options {
     /// not given, the interval has the quantile of Student's distribution, as the noise estimated has
     /// an error.
     pub profile_level: Option<f64>,
-    /// The range `z0` of the attraction (m), for Tabor's parameter.
+    /// The range `z0` of the attraction (m) in the warning that it is not short; 3e-10 unless another is given.
     pub interaction_range: f64,
     /// The values taken as given of which a standard error is known.
     pub known: Vec<Known>,

@@ -38,8 +38,9 @@ impl Experiment {
     }
 
     /// Evaluates the model at every point, with the derivatives with respect to `parameters` at a
-    /// fixed abscissa. They are exact; on a stack of layers they are central differences, with
-    /// errors of at most 1e-5 of the largest.
+    /// fixed abscissa. They are exact; on a stack of layers, of contact stiffnesses and beyond the
+    /// nodes of the table in `a/t` they are central differences, on a stack with errors of at most
+    /// 1e-5 of the largest.
     ///
     /// `branches` holds the branch of each point; `None` takes those on which the model itself has
     /// the points, as [`simulate`](crate::simulate) does. The ordinates of the points are not used.

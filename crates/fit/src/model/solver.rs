@@ -225,6 +225,14 @@ fn curve(bodies: &Bodies, stack: &Stack) -> Result<Curve, Error> {
             sphere_poisson_ratio,
             advancing,
         } => {
+            let (widest, most) = (needed / MARGIN, MOST_OF_TIP * top * thickness);
+            if widest > most {
+                return Err(Error::NotFitted(format!(
+                    "contact radii reach {widest:.4e} m, and with full friction contacts are solved up to {MOST_OF_TIP} times \
+                     the thickness of the film or top layer, {most:.4e} m: leave out wider contacts, or take contacts without \
+                     friction"
+                )));
+            }
             let end = (needed.max(expected) / thickness).min(MOST_OF_TIP * top);
             let sticking = Sticking::on_stack(stack, bodies.sphere_modulus, sphere_poisson_ratio)?;
             let range = [(BEGIN * top).min(0.1 * end), end];

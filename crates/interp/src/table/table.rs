@@ -364,8 +364,8 @@ impl Table {
     /// degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by
-    /// its exact equivalent. Among [paired](crate::SubstratePoissonRatio::Paired) Poisson ratios it
-    /// always exists; with one `nu0` for the table, an incompressible film has none for a `nu0`
+    /// its exact equivalent. Among [paired](crate::SubstratePoissonRatio::Paired) Poisson ratios one
+    /// exists for all ratios from 0 to 0.5; with one `nu0` for the table, an incompressible film has none for a `nu0`
     /// below the table's. A parameter may miss the box, or a fixed value, by `1e-12` relative,
     /// which allows for rounding.
     ///
@@ -383,8 +383,7 @@ impl Table {
     /// Makes the curve of `material` with its derivatives with respect to the material, which
     /// [`Curve::gradient`] returns.
     ///
-    /// They are the derivatives of the splines. Making this curve takes some three times as long as
-    /// [`Table::curve`].
+    /// Making this curve takes some three times as long as [`Table::curve`].
     ///
     /// # Errors
     /// As [`Table::curve`].

@@ -223,8 +223,9 @@ class Contact(Native):
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
         """Return load and penetration with their derivatives by every input.
 
-        They are derivatives of the interpolated curve, not finite differences. The certificate of
-        a table does not cover them.
+        They are derivatives of the interpolated curve; that by the Poisson ratio of a nearly
+        incompressible film is a difference of lookups. The certificate of a table does not cover
+        them.
 
         Parameters and errors are those of :meth:`load`, but above the nodes in a/t it is always an
         OutsideTableError.
@@ -609,16 +610,17 @@ class Contact(Native):
 class SolvedCurve:
     """What a contact is made of in place of a table: direct solves along a/t.
 
-    It takes some milliseconds for each contact, to any tolerance, and has neither expansions beyond
-    its ends nor derivatives with respect to the material.
+    It takes some milliseconds for each contact, and has neither expansions beyond its ends nor
+    derivatives with respect to the material.
 
     Parameters
     ----------
     a_over_t : tuple of float
         The smallest and the largest contact radius over the thickness of the film or stack.
     tolerance : float
-        The largest relative error of the quantities. The integrals of another shape than a
-        paraboloid may add up to 1e-6 if the range begins at a large a/t: begin at 1e-3 or below.
+        The largest relative error of the quantities, from 1e-12 to 1e-2, with ``"stick"`` from
+        1e-10. The integrals of another shape than a paraboloid may add up to 1e-6 if the range
+        begins at a large a/t: begin at 1e-3 or below.
     friction : {"none", "stick"}
         Whether the surfaces slide freely, or never slide where they have touched. A sphere that
         sticks is solved where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5

@@ -48,8 +48,9 @@ def fit(
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
-    Levenberg and Marquardt's method with exact derivatives, on a stack with central differences,
-    minimises the loss. The start comes from the data. The fit is deterministic.
+    Levenberg and Marquardt's method with exact derivatives (on a stack and of contact stiffnesses
+    with central differences) minimises the loss. The start comes from the data. The fit is
+    deterministic.
 
     Parameters
     ----------
@@ -70,8 +71,9 @@ def fit(
     known : mapping of str to float, optional
         Standard errors of values that are not free, in SI units, such as
         ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``substrate_modulus`` and
-        ``substrate_poisson_ratio``. The fit keeps the values, and their errors add to the standard
-        errors and the correlation: to the first order, independent of one another. Where
+        ``substrate_poisson_ratio``, and ``beta`` of a contact stiffness. The fit
+        keeps the values, and their errors add to the standard errors and the correlation: to the
+        first order, independent of one another. Where
         experiments have different values, the error is that of the first, and the others err in
         proportion; Poisson ratios and zeros are off by the same number. ``reference_modulus`` and
         ``reference_poisson_ratio`` are those of a sample without layers. A prior of a

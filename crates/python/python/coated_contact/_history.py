@@ -120,18 +120,24 @@ class Relaxation:
 
     @classmethod
     def power_law(cls, exponent: float, time: float = 1.0) -> Relaxation:
-        """Return ``(t/time)^-exponent``, with an exponent above 0 and below 1."""
+        """Return ``(t/time)^-exponent``, with an exponent from 1e-9 to below 1."""
         return cls("power_law", 0.0, number("exponent", exponent), (number("time", time),))
 
     @classmethod
     def modified_power_law(cls, relaxed: float, exponent: float, time: float) -> Relaxation:
-        """Return ``relaxed + (1 - relaxed) (1 + t/time)^-exponent``."""
+        """Return ``relaxed + (1 - relaxed) (1 + t/time)^-exponent``.
+
+        The exponent is from 1e-9 to below 1.
+        """
         numbers = (number("relaxed", relaxed), number("exponent", exponent))
         return cls("modified_power_law", *numbers, (number("time", time),))
 
     @classmethod
     def fractional_zener(cls, relaxed: float, exponent: float, time: float) -> Relaxation:
-        """Return ``relaxed + (1 - relaxed) E(-(t/time)^exponent)`` (Mittag-Leffler)."""
+        """Return ``relaxed + (1 - relaxed) E(-(t/time)^exponent)`` (Mittag-Leffler).
+
+        The exponent is from 0.001 to 0.99.
+        """
         numbers = (number("relaxed", relaxed), number("exponent", exponent))
         return cls("fractional_zener", *numbers, (number("time", time),))
 

@@ -42,7 +42,7 @@ class Prediction(OneLine):
         Whether a point is in contact according to its branch, but beyond the end of the stable
         states. There a straight line continues the branch, so that a sum of squares has no jump.
     derivatives : dict of str to numpy.ndarray
-        The exact derivatives of the ordinates at a fixed abscissa, in SI units, by parameter.
+        The derivatives of the ordinates at a fixed abscissa, in SI units, by parameter.
     """
 
     ordinate: Array
@@ -92,9 +92,10 @@ def predict(
     branches: Sequence[BranchName | str] | None = None,
     table: Table | None = None,
 ) -> Prediction:
-    """Return the ordinates that the values of an experiment give, with exact derivatives.
+    """Return the ordinates that the values of an experiment give, with derivatives.
 
-    On a stack the derivatives are central differences, with errors of at most 1e-5 of the largest.
+    The derivatives are exact. On a stack, of contact stiffnesses and beyond the nodes of the table
+    in ``a/t`` they are central differences, on a stack with errors of at most 1e-5 of the largest.
 
     This is the function that :func:`fit` fits, for other methods: least squares of scipy, samplers.
 

@@ -40,7 +40,7 @@ class Model(LmfitModel):  # type: ignore[misc]
     The independent variable ``x`` is the abscissa. The parameters are those of
     :class:`coated_contact.Free` that the kind of experiment has, with the values of the experiment,
     but for numbers of a relaxation and for hardness, tip and frame, which keep their values; those
-    in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the exact
+    in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the
     derivatives, unless a parameter has an expression. Give the weights 1/noise:
     ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons. ``"leastsq"``
     cannot move a parameter from its bound: give a start within, such as a work of adhesion above 0.
@@ -123,7 +123,7 @@ class Model(LmfitModel):  # type: ignore[misc]
     def fit(
         self, data: ArrayLike, params: Parameters | None = None, *args: Any, **kwargs: Any
     ) -> ModelResult:
-        """Fit the model to data, as ``lmfit.Model.fit`` does, with exact derivatives."""
+        """Fit the model to data, as ``lmfit.Model.fit`` does, with its derivatives."""
         method = args[1] if len(args) > 1 else kwargs.get("method", "leastsq")
         settings = dict(kwargs.pop("fit_kws", None) or {})
         start = self.make_params() if params is None else params

@@ -37,7 +37,7 @@
 //!
 //! Measured (`tests/truth/cohesive.rs`): load, penetration and outer radius of 24 contacts and 17
 //! pull-offs within 4.4e-14 of values by two other programs, Maugis' closed form on a half-space
-//! within 1.2e-14, and the energy balance `dU/d(delta) = F` within 2e-10.
+//! within 1.9e-14, and the energy balance `dU/d(delta) = F` within 2e-10.
 
 mod annulus;
 mod attraction;

@@ -30,6 +30,8 @@ const CLOSED: f64 = 1e-4;
 const ROUNDING: f64 = 1e-9;
 /// The part of the value by which a small contact may be lower than these states, at most.
 const SHALLOW: f64 = 1e-3;
+/// The largest contact radius over that of the sphere.
+const OF_SPHERE: f64 = 0.9;
 
 impl Cohesive {
     /// Returns the last stable state of a separation: that of the lowest imposed value on the branch
@@ -46,7 +48,7 @@ impl Cohesive {
             Error::check("stiffness of the spring", stiffness, [1e-100, 1e100])?;
         }
         let (minima, ends) = self.jkr_minima(control);
-        let largest = (0.9 * REACH).min(0.9 / self.curvature);
+        let largest = (0.9 * REACH).min(OF_SPHERE / self.curvature);
         let first = self.first_contact();
         let last = first.unwrap_or_else(|| self.reach());
         let smallest = SMALL * last;
@@ -178,7 +180,8 @@ impl Cohesive {
             )
         };
         Error::PullOffReach(format!(
-            "at the pull-off the contact, or the attraction around it, is wider than {reach:.3e} m, {reason}"
+            "at the pull-off the contact, or the attraction around it, is wider than {:.3e} m, {reason}",
+            reach.min(OF_SPHERE * radius)
         ))
     }
 }

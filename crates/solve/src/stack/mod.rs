@@ -67,8 +67,8 @@
 //!
 //! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program):
 //! the errors of the quantities are at most 8e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. With
-//! interfaces that slide or have springs (33 contacts up to `a/h` of 200) they are 2.4e-14 and
-//! 2.6e-11, and 300 random contacts agree with another method of solution within the stated errors
+//! interfaces that slide or have springs (33 contacts up to `a/h` of 200) they are at most 2.9e-14
+//! and 2.6e-11, and 300 random contacts agree with another method of solution within the stated errors
 //! (`tests/truth/interfaces.rs`).
 //!
 //! `cargo bench -p coated-contact-tabulate --bench stacks` prints times, here at the tolerance 1e-8 and on one

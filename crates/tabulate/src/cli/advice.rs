@@ -75,14 +75,16 @@ fn commands(error: &Error) -> Option<&'static str> {
     match error {
         Error::OutsideTable { axis, .. } if *axis == Parameter::E1sOverEinfs.name() => Some(
             "e1s_over_einfs is the reduced modulus of the film times the sum of the reciprocals of those of sphere and substrate; `tabulate \
-             generate` makes tables, and `tabulate solve` solves without a table",
+             generate` makes tables, and `tabulate solve`, `curve`, `pull-off` and `history` solve without a table",
         ),
         Error::Extrapolation { value, .. } if *value > 1.0 => Some(
             "check first the units of film thickness and contact radius: a contact is rarely that wide beside its film; `tabulate \
-             generate` makes tables, and `tabulate solve` solves without a table",
+             generate` makes tables, and `tabulate solve`, `curve`, `pull-off` and `history` solve without a table",
         ),
         Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
-            Some("`tabulate generate` makes tables, and `tabulate solve` solves without a table")
+            Some(
+                "`tabulate generate` makes tables, and `tabulate solve`, `curve`, `pull-off` and `history` solve without a table",
+            )
         }
         Error::OfStack => Some(
             "give the table to `tabulate curve`, `pull-off` or `fit` as --stack, and look points up with `tabulate query`",

@@ -16,6 +16,7 @@ use super::quantity::{self, length};
 use super::table_name::TableName;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
+use solve::stack::MOST_A_OVER_TOP;
 use solve::{A_OVER_T, solve};
 
 /// Print the force curve of one system as CSV, in SI units
@@ -67,7 +68,7 @@ pub struct Arguments {
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::points::MOST_POINTS))]
     points: u32,
-    /// Relative tolerance of direct solves [default: 1e-8]
+    /// Relative tolerance of direct solves, 1e-12 to 1e-2, with --friction stick from 1e-10 [default: 1e-8]
     #[arg(long, conflicts_with_all = ["table", "interaction_range", "half_space"], value_parser = quantity::number)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
@@ -264,6 +265,13 @@ impl<'a> States<'a> {
                 arguments.tolerance.is_none() || layers.table.is_none(),
                 "--tolerance is of direct solves, and --stack names a table, which is looked up: \
                  leave out --tolerance, or name a stack file"
+            );
+            let reach = bodies.reach_of_layers();
+            ensure!(
+                to <= reach * (1.0 + f64::EPSILON),
+                "contact radius = {to:?} m: contacts with these layers are solved up to {MOST_A_OVER_TOP} times the \
+                 thickness of the top layer; give --to, or the radius of a punch, of {reach:?} or less, or leave out a top \
+                 layer that is too thin to matter"
             );
             // The single radius of a punch is the end of a short curve.
             let range = [from.min(0.9 * to), to].map(over_thickness);

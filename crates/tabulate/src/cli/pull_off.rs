@@ -3,6 +3,7 @@
 use anyhow::{Context as _, anyhow, bail, ensure};
 use clap::ValueEnum;
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
+use interp::Error::{BeyondProbe, BeyondSphere, OutsideTable};
 use interp::Table;
 
 use super::bodies::Bodies;
@@ -259,7 +260,7 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
         let range = match &bodies.stack {
             Some(layers) => {
                 let reach = layers.stack().reach(over_top);
-                [from.min(1e-3 * reach), to.min(reach)]
+                [from.min(1e-3 * reach).max(A_OVER_T[0]), to.min(reach)]
             }
             None => [from, to],
         };
@@ -269,23 +270,31 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
             }
             contact => contact,
         };
-        // A wider range may be out of reach where a narrower one is not.
-        let contact = match (contact, refused) {
+        let found = match (contact, refused) {
+            (
+                Err(crate::Error::Contact(
+                    error @ Error::Table(OutsideTable { .. } | BeyondProbe { .. }),
+                )),
+                _,
+            ) => Err(error),
+            // A wider range may be out of reach where a narrower one is not.
             (Err(_), Some(refused)) => return Err(refused),
-            (contact, _) => contact?,
+            (contact, _) => {
+                let contact = contact?;
+                let state = contact.pull_off(bodies.work_of_adhesion, control);
+                state.map(|state| (contact, state))
+            }
         };
         let least = from * system.film_thickness;
-        refused = match contact.pull_off(bodies.work_of_adhesion, control) {
-            Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
-                if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
-            {
-                Some(anyhow!(
-                    "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
-                     solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
-                     digits",
-                    THICK / from
-                ))
-            }
+        refused = match found {
+            Err(
+                Error::OutsideRadii { .. } | Error::Table(BeyondProbe { .. } | BeyondSphere { .. }),
+            ) if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) => Some(anyhow!(
+                "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
+                 solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
+                 digits",
+                THICK / from
+            )),
             Err(Error::OutsideRadii {
                 from,
                 to,
@@ -296,7 +305,17 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
                  stack; with a smaller sphere or a smaller work of adhesion it is smaller"
             )),
             Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
-            state => return Ok((contact, state?)),
+            // A probe with a flat end has no smaller contact than this end.
+            Err(Error::Table(OutsideTable {
+                value, from, to, ..
+            })) => Some(anyhow!(
+                "the contact radius = {:.3e} m of the flat end is outside {:.3e} m to {:.3e} m, which are solved on this \
+                 film or stack; give another radius, or leave out a top layer that is too thin to matter",
+                value * system.film_thickness,
+                from * system.film_thickness,
+                to * system.film_thickness
+            )),
+            found => return Ok(found?),
         };
     }
     Err(refused.expect("there are ranges"))

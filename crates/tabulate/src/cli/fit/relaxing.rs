@@ -19,10 +19,10 @@ pub struct RelaxingArguments {
     /// the reference time. Points need a time, and begin before the contact
     #[arg(long, value_name = "LAW", value_parser = law)]
     relaxation: Option<Relaxation>,
-    /// Exponent of the law, above 0 and below 1
+    /// Exponent of the law, from 1e-9 to below 1; of fractional-zener from 0.001 to 0.99
     #[arg(long, requires = "relaxation", value_parser = number)]
     relaxation_exponent: Option<f64>,
-    /// Part of the modulus that is left in the end, from 0 to 1
+    /// Part of the modulus that is left in the end, from 0 to below 1
     #[arg(long, requires = "relaxation", value_parser = number)]
     relaxed_fraction: Option<f64>,
     /// Relaxation times, s, separated by commas

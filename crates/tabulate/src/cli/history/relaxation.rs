@@ -13,13 +13,13 @@ pub struct RelaxationArguments {
     /// How the modulus falls in time after a step of the strain
     #[arg(long, value_enum, value_name = "LAW")]
     relaxation: Law,
-    /// Exponent of a power law or of the fractional Zener solid, above 0 and below 1
+    /// Exponent of a power law, from 1e-9 to below 1, or of the fractional Zener solid, from 0.001 to 0.99
     #[arg(short = 'n', long, value_parser = number)]
     relaxation_exponent: Option<f64>,
     /// Time at which the modulus of a power law is that of the film, s [default: 1]
     #[arg(long, value_name = "S", value_parser = time)]
     reference_time: Option<f64>,
-    /// Part of the modulus that is left in the end, from 0 to 1
+    /// Part of the modulus that is left in the end, from 0 to below 1
     #[arg(long, value_parser = number)]
     relaxed_fraction: Option<f64>,
     /// Relaxation times, s, separated by commas
