@@ -132,6 +132,11 @@ fn default_radii_are_answered() {
         ("--probe profile --profile flat.csv", 1.5e-6),
         ("--probe profile --profile edge.csv", 9.85e-7),
         ("--interaction-range 1um", 6.8e-7),
+        // Where solves begin, above a hundredth of the largest.
+        (
+            "--sphere-radius 10nm --film-thickness 100um --sphere-modulus inf",
+            1e-10,
+        ),
         ("--interaction-range 5um", 8e-8),
     ] {
         let run = workdir.answer(format!("curve --specimen paper --points 3 {flags}"));

@@ -49,6 +49,8 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         2 | curve --probe cone --half-angle 70um | 70um; length; degrees
         1 | curve --probe flat-punch --from 1um --to 5um | --sphere-radius; leave out --from
         1 | curve --from 200um | --from; 0.0002; --to, which is not given
+        1 | curve --sphere-radius 5nm --film-thickness 1cm | contact radius 1.5e-9 m; 1e-8 m; --half-space
+        1 | curve --probe flat-punch --sphere-radius 1nm --film-thickness 1cm | contact radius 1e-9 m; 1e-8 m; --half-space
         1 | curve -o table.h5 | table.h5; another name
         1 | curve --film-thickness inf | film thickness; inf; 0.1 m
         1 | curve --interaction-range 0 | interaction range = 0.0; JKR

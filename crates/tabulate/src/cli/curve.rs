@@ -84,41 +84,43 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let (bodies, sticks) = given.read()?;
     let system = &bodies.system;
     let mechanics = Mechanics::new(system)?;
-    let [from, to] = arguments.radii(&bodies);
+    let punch = system.probe.is_flat_punch();
+    ensure!(
+        !punch || arguments.from.is_none() && arguments.to.is_none(),
+        "--probe flat-punch has one contact radius, --sphere-radius: leave out --from and --to"
+    );
+    let [from, to] = if punch {
+        // The only contact radius of a punch.
+        [bodies.sphere_radius; 2]
+    } else {
+        arguments.radii(&bodies)
+    };
     ensure!(
         to > 0.0 && to < f64::INFINITY,
         "--to {to:?} m: the largest contact radius is above 0 and finite"
     );
-    let least = A_OVER_T[0] * system.film_thickness;
+    let (smallest, least) = (
+        arguments.from.unwrap_or(to),
+        arguments.least_solved(&bodies),
+    );
     ensure!(
-        given.table.is_some() || bodies.half_space || from <= 0.0 || from >= least,
-        "--from {from:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; give a larger \
-         radius, or take the film as thinner: so thick a film is a half-space, --half-space"
+        smallest <= 0.0 || smallest >= least,
+        "contact radius {smallest:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; \
+         ask for larger radii, or take so thick a film or top layer as a half-space, --half-space"
     );
     let [from_default, to_default] = [arguments.from, arguments.to].map(|given| match given {
         Some(_) => "",
         None => ", which is not given,",
     });
     ensure!(
-        from > 0.0 && to > from && to < f64::INFINITY,
+        punch || from > 0.0 && to > from && to < f64::INFINITY,
         "contact radii run from above 0 to more than that: --from{from_default} is {from:?} m, and \
          --to{to_default} is {to:?} m"
-    );
-    let punch = system.probe.is_flat_punch();
-    ensure!(
-        !punch || arguments.from.is_none() && arguments.to.is_none(),
-        "--probe flat-punch has one contact radius, --sphere-radius: leave out --from and --to"
     );
     if !punch {
         // Refuses too large a radius before any work.
         mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
     }
-    let [from, to] = if punch {
-        // The only contact radius of a punch.
-        [bodies.sphere_radius; 2]
-    } else {
-        [from, to]
-    };
     let states = States::new(arguments, (&bodies, sticks), [from, to])?;
     let rows: Vec<Vec<f64>> = if punch {
         vec![states.row(to, &mechanics)?]
@@ -203,7 +205,17 @@ impl Arguments {
             1.0
         };
         let least = if least < to { least } else { 0.0 };
+        let least = least.max(self.least_solved(bodies));
         [self.from.unwrap_or((USUAL[0] * scale).max(least)), to]
+    }
+
+    /// Returns the smallest contact radius that direct solves reach (m), or 0 where none are made.
+    fn least_solved(&self, bodies: &Bodies) -> f64 {
+        if self.contact.table.is_some() || bodies.half_space {
+            0.0
+        } else {
+            A_OVER_T[0] * bodies.system.film_thickness
+        }
     }
 }
 
