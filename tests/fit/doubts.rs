@@ -228,8 +228,10 @@ fn contacts_outside_the_model_are_warned_of() {
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
     let mut hard = Imagined::hard();
     hard.truth.work_of_adhesion = 0.05;
-    let words = "Tabor's parameter; below 5; does not hold; zone";
-    assert_warns(&hard.fit(1), WarningKind::LongRange, words);
+    let words = "Tabor's parameter; below 5; does not hold; zone; work of adhesion is wrong; a direct solve";
+    let found = hard.fit(1);
+    assert_warns(&found, WarningKind::LongRange, words);
+    assert!(!text(&found, WarningKind::LongRange).contains("larger stress"));
     // On a softer film the cohesive zone is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     softer.truth = hard.truth;

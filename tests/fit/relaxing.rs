@@ -205,8 +205,8 @@ fn solids_are_recovered() {
     let modified = modified_power_law(0.0, 0.5, 0.1);
     let free = [FilmModulus, Law(Exponent), Law(Time(0)), ContactPoint];
     let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
-    // Its time is below two intervals in some sets.
-    let expected = [WarningKind::RelaxationTime];
+    // Its time is below two intervals in some sets, and in two of 200 chi^2 is not quite a parabola.
+    let expected = [WarningKind::RelaxationTime, WarningKind::NonlinearError];
     recover("modified power law", &[plan], &free, 106, &expected);
 }
 

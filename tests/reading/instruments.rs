@@ -151,6 +151,48 @@ fn segments_of_nanoindenters_are_read() {
     assert_eq!(reading.notes.pauses, 2);
 }
 
+/// Loads that are taken off again, without a column of segments: neither their depth nor their load tells the contact radius.
+#[test]
+fn a_contact_stiffness_of_unloading_is_doubted() {
+    let row = |load: f64, depth: f64| format!("{depth},{load},{}\n", 1e4 * load.sqrt());
+    let loading = |load: u32| row(f64::from(load), 100.0 * f64::from(load).sqrt());
+    // The depth hardly falls where most of it is plastic.
+    let unloading = |load: u32| row(f64::from(load), 380.0 + 4.0 * f64::from(load));
+    let rows = |ways: &[&dyn Fn(u32) -> String; 2], last: u32| {
+        let there = (1..=20).map(ways[0]);
+        let back = (last..20).rev().map(ways[1]);
+        there.chain(back).collect::<String>()
+    };
+    for (headings, last, is_doubted) in [
+        ("penetration [nm],load [mN],contact_stiffness", 2, true),
+        ("x,load [mN],contact_stiffness", 2, true),
+        ("penetration [nm],load [mN],contact_stiffness", 20, false),
+    ] {
+        let text = format!("{headings}\n{}", rows(&[&loading, &unloading], last));
+        let kind = if headings.starts_with('x') {
+            Kind::StiffnessLoad
+        } else {
+            Kind::StiffnessDepth
+        };
+        let format = Format {
+            kind: Some(kind),
+            ..Format::default()
+        };
+        let doubts = sound(&text, &format).notes.doubts;
+        let is_said = doubts
+            .iter()
+            .any(|doubt| doubt.kind == DoubtKind::Directions);
+        assert_eq!(is_said, is_doubted, "{headings} {last}: {doubts:?}");
+        let split = Format {
+            segments: Segments::Split,
+            ..format
+        };
+        let reading = sound(&text, &split);
+        assert_eq!(reading.measurement.points.len(), 20, "{headings}");
+        assert!(reading.notes.doubts.is_empty(), "{headings}");
+    }
+}
+
 /// Columns without headings, as those of NT-MDT: the user names the direction beside the number.
 #[test]
 fn a_column_without_a_heading_can_have_a_direction() {

@@ -93,8 +93,8 @@ pub enum Error {
     DifferentBodies(String),
     /// Times that do not rise.
     #[error(
-        "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: points are in the order \
-         measured, and times go on from approach to retract"
+        "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: keep one point of each time, in \
+         the order measured; times go on from approach to retract"
     )]
     Times {
         /// The name of the measurement.

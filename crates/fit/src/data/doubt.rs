@@ -235,6 +235,25 @@ fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> 
     })
 }
 
+/// Returns the doubt that a contact stiffness is also of unloading, where its points have no direction and their `loads`, or
+/// the loads that are its abscissae, go up and down once.
+pub fn unloading(kind: Kind, points: &[Point], loads: &[f64]) -> Option<Doubt> {
+    let abscissae = || points.iter().map(|point| point.abscissa).collect();
+    let loads = match kind {
+        Kind::StiffnessLoad => abscissae(),
+        Kind::StiffnessDepth => loads.to_vec(),
+        _ => return None,
+    };
+    let is_known = points.iter().any(|point| point.direction.is_some());
+    (!is_known && turns(&loads) == 1).then(|| Doubt {
+        remedy: Some(Remedy::Split),
+        ..DoubtKind::Directions.with(
+            "the loads go up and down, and all points are taken for loading: while a sample is unloaded its load and its \
+             depth do not tell the contact radius, and the values found are wrong; keep the rows of the loading",
+        )
+    })
+}
+
 /// Returns the doubt that the abscissa goes there and back in the rows of one direction.
 fn directions(abscissa: &str, direction: Direction, split: Option<Split>) -> Doubt {
     let (step, remedy) = match split {

@@ -3,7 +3,7 @@
 use super::assignment::{Assignment, Pair, roles};
 use super::beside::Beside;
 use super::column::{Role, UNIT};
-use super::doubt::doubts;
+use super::doubt::{doubts, unloading};
 use super::failure::DataError;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
@@ -203,12 +203,14 @@ pub fn join(
         &notes,
         (&all.errors, format.keep_pauses),
     );
-    let known = |value: fn(&Beside) -> f64| {
+    let known = |value: fn(&Beside) -> f64| -> Vec<f64> {
         let values = all.beside.iter().map(value);
         values.filter(|value| !value.is_nan()).collect()
     };
+    let loads = known(|one| one.load);
+    notes.doubts.extend(unloading(kind, &all.points, &loads));
     Ok(Reading {
-        loads: known(|one| one.load),
+        loads,
         phases: known(|one| one.phase),
         times: known(|one| one.time),
         measurement: Measurement {

@@ -79,7 +79,7 @@ pub(super) fn accept(data: &[Assigned], left_out: &[Vec<LeftOut>]) -> Result<(),
             return Err(Error::LeftOut(format!(
                 "{}: {lost} of {contacts} points in contact are left out, more than a third: \
                  {}. Check the units, the fixed values and the model, free the zeros of the instrument that are not \
-                 known to be 0, such as contact-point and baseline, or allow points to be left out",
+                 known to be 0, such as contact-point, baseline and baseline-slope, or allow points to be left out",
                 measurement.name,
                 text(groups, measurement.numbering)
             )));

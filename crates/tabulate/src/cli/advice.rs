@@ -20,8 +20,8 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
         match why {
             Undetermined::PullOffOnly => {
                 return Some(
-                    "give --work-of-adhesion 1J/m^2, say, and --free film-modulus,contact-point without a work of adhesion; \
-                     then `tabulate pull-off --load -2uN`, with the load of the pull-off and --film-modulus, finds it",
+                    "give --work-of-adhesion 1J/m^2, say, and --free film-modulus,contact-point without a work of adhesion, at \
+                     heights also baseline; then `tabulate pull-off --load -2uN`, with the load of the pull-off and --film-modulus, finds it",
                 );
             }
             Undetermined::NothingRecedes => {

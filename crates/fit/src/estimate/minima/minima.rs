@@ -59,7 +59,10 @@ pub(crate) fn minimum<'a>(
     let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
     let is_good = |first: &Problem<'_>| first.ending == Ending::Converged && !is_bad(first);
     let is_bad = !first.as_ref().is_ok_and(is_good);
-    let cheap = first.as_ref().ok().filter(|first| !is_costly(first));
+    // Where bodies relax a start has been chosen among several laws.
+    let relaxes = |first: &Problem<'_>| first.experiments().any(|one| one.relaxing.is_some());
+    let cheap = first.as_ref().ok();
+    let cheap = cheap.filter(|first| !is_costly(first) && !relaxes(first));
     let doubtful = cheap.and_then(|first| {
         let uncertainty = Uncertainty::of(first)?;
         let slot = *doubtful(first, &uncertainty).first()?;

@@ -41,12 +41,8 @@ pub(crate) struct Bend {
     pub growth: f64,
 }
 
-/// Lists the positive values with large errors, that of the largest error first. Where bodies relax a start has been
-/// chosen among several laws; none is listed.
+/// Lists the positive values with large errors, that of the largest error first.
 pub(crate) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<usize> {
-    if problem.experiments().any(|one| one.relaxing.is_some()) {
-        return Vec::new();
-    }
     let is_positive = |slot: &usize| problem.slots[*slot].parameter.is_positive();
     let error = |slot: usize| uncertainty.relative_error(slot);
     let mut slots: Vec<usize> = (0..problem.slots.len())
@@ -134,10 +130,18 @@ pub(crate) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Option<B
     worst
 }
 
-/// Returns the problem on few points, with the ordinates and the priors that the fit predicts.
+/// Returns the problem on few points, or on all of bodies that relax, with the ordinates and the priors that the fit predicts.
 fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
     let mut exact = problem.clone();
-    exact.assigned = exact.assigned.into_iter().map(thin).collect();
+    // Few points do not tell a relaxation time as well as their part of all points.
+    let thinned = exact.assigned.into_iter().map(|own| {
+        if own.experiment.relaxing.is_some() {
+            own
+        } else {
+            thin(own)
+        }
+    });
+    exact.assigned = thinned.collect();
     let of_depth = |one: &Experiment| one.measurement.kind == Kind::StiffnessDepth;
     let rounds = if exact.experiments().any(of_depth) {
         ROUNDS

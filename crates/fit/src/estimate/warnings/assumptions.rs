@@ -186,9 +186,25 @@ fn error_of_jkr(range: &ZoneSize<'_>) -> String {
              computes it with the range",
             1e2 * error
         ),
-        Err(error @ (contact::Error::LongZone { .. } | contact::Error::Tension { .. })) => {
-            format!("The model does not hold: {error}")
-        }
+        // A fit has no stress of the attraction, which these errors would have raised.
+        Err(contact::Error::LongZone {
+            zone, what, length, ..
+        }) => does_not_hold(&format!(
+            "the cohesive zone is {zone:.1e} m long beside the {what}, {length:.1e} m"
+        )),
+        Err(contact::Error::Tension {
+            tension, stress, ..
+        }) => does_not_hold(&format!(
+            "the mean tension in the contact is {tension:.1e} Pa, and the stress of the attraction {stress:.1e} Pa"
+        )),
         Err(error) => format!("By how much the model is wrong is not known: {error}"),
     }
+}
+
+/// Says why the model does not hold where the attraction has a range, and what then is wrong.
+fn does_not_hold(why: &str) -> String {
+    format!(
+        "The model does not hold: {why}, and the work of adhesion is wrong; a direct solve tells the pull-off load with \
+         the range"
+    )
 }

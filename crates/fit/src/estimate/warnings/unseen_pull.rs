@@ -4,7 +4,7 @@ use crate::estimate::minima::search::{CLEAR, ends};
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Parameter, Warning, WarningKind};
+use crate::{Branch, Direction, Parameter, Point, Warning, WarningKind};
 
 /// The number of noises by which a contact is below the baseline that would show.
 const DEEP: f64 = 3.0;
@@ -83,10 +83,17 @@ pub(super) fn doubt(
     if pulls.count() >= FEWEST {
         return None;
     }
+    // On approach no point before the contact shows a pull.
+    let is_unknown = |point: &Point| point.direction.is_none();
+    let unless = if measurement.points.iter().any(is_unknown) {
+        ", unless they are of an approach: then give the points their direction"
+    } else {
+        ""
+    };
     (count >= FEWEST && squares[0] < NEARER * squares[1]).then(|| {
         WarningKind::PullNotSeen.with(format!(
             "{}: with {work} = {:.1e} J/m^2 the probe would be pulled by up to {deepest:.1e} N at {count} points that are \
-             fitted as no contact, and these show no pull: what the fit takes for adhesion is something else. Fix {work} at 0, \
+             fitted as no contact, and these show no pull: what the fit takes for adhesion is something else{unless}. Fix {work} at 0, \
              and check the thickness, the shape of the probe, and whether the film slides or relaxes",
             measurement.name,
             experiment.get(work).unwrap_or_default()

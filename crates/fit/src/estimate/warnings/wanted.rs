@@ -21,6 +21,8 @@ const LEFT: f64 = 1e-3;
 /// A zero of an instrument is named already from this number of its standard errors on, if it would mislead: the values
 /// found may be so correlated with it that chi^2 does not tell. For each zero, chance reaches it in one fit of 2000.
 const HINT: f64 = 3.5;
+/// The same of a spring, whose stiffness is given more often than a zero is: by chance one fit of 15,000 reaches it.
+const OF_SPRING: f64 = 4.0;
 /// The change of a value found, in its standard errors, from which on a zero misleads.
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
@@ -120,24 +122,17 @@ fn zeros_wanted(
                 gain.change,
                 parameter.unit()
             )));
-        } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
-            let changes = score.uncertainty.changes_in_errors(&(column * gain.change));
-            let found = score.problem.slots.iter().zip(changes);
-            let most = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
-            if let Some((slot, change)) = most
-                && change.abs() > MISLED
-            {
-                level_named |= is_level;
-                warnings.push(WarningKind::OffsetHinted.with(format!(
-                    "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
-                     standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
-                    gain.change,
-                    parameter.unit(),
-                    gain.significance.sqrt(),
-                    slot.parameter,
-                    change
-                )));
-            }
+        } else if parameter != Parameter::BaselineSlope
+            && let Some((misled, change)) = score.hint(&gain, column, HINT)
+        {
+            level_named |= is_level;
+            warnings.push(WarningKind::OffsetHinted.with(format!(
+                "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
+                 standard errors. It would change {misled} by {change:+.0} of its standard errors: free it, unless its value is known",
+                gain.change,
+                parameter.unit(),
+                gain.significance.sqrt(),
+            )));
         }
     }
 }
@@ -250,6 +245,16 @@ impl<'a> Score<'a> {
     ) -> Option<(Gain, DVector<f64>)> {
         let column = column(self.problem, e, parameter, chosen)?;
         Some((self.gain(&column)?, column))
+    }
+
+    /// Returns the value found that a further parameter of this column would change the most, and by how many of its
+    /// standard errors, if the parameter is `least` of its own standard errors away and the value misleads.
+    fn hint(&self, gain: &Gain, column: DVector<f64>, least: f64) -> Option<(Parameter, f64)> {
+        let changes = self.uncertainty.changes_in_errors(&(column * gain.change));
+        let found = self.problem.slots.iter().zip(changes);
+        let (slot, change) = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))?;
+        let is_hint = gain.significance > least * least && change.abs() > MISLED;
+        is_hint.then_some((slot.parameter, change))
     }
 
     /// Returns the largest decrease of the sum of squares by one of some parameters of experiment `e`; 0 where all are
@@ -389,10 +394,23 @@ impl<'a> Score<'a> {
         let sum = self.residuals.rows(rows.start, rows.len()).norm_squared();
         let explains = gain.chi_squared > EXPLAINED * (sum - noise);
         let is_best = explains && gain.chi_squared > of_zeros && gain.significance > explained;
-        if !(gain.is_significant() && is_best && compliance > 0.0) {
+        if !(is_best && compliance > 0.0) {
             return None;
         }
-        let (name, stiffness, gain) = (&measurement.name, 1.0 / compliance, gain.chi_squared);
+        let (name, stiffness) = (&measurement.name, 1.0 / compliance);
+        if !gain.is_significant() {
+            let (misled, change) = self.hint(&gain, column, OF_SPRING)?;
+            let what = match given {
+                None => "that the penetrations hold the deflection of a spring".to_owned(),
+                Some(given) => format!("at another stiffness than {given:.2e} N/m"),
+            };
+            return Some(WarningKind::SpringWanted.with(format!(
+                "{name}: the data hint {what}, some {stiffness:.2e} N/m, by {:.1} of its standard errors. It would change \
+                 {misled} by {change:+.0} of its standard errors: check the stiffness of what carries the load",
+                gain.significance.sqrt()
+            )));
+        }
+        let gain = gain.chi_squared;
         Some(WarningKind::SpringWanted.with(match given {
             None => format!(
                 "{name}: the penetrations seem to hold the deflection of a spring of the order of {stiffness:.0e} N/m in \
