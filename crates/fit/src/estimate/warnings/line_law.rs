@@ -7,8 +7,13 @@
 use nalgebra::DVector;
 
 use super::wanted::{Score, column};
+use crate::estimate::minima::search::{COARSE, PATIENCE};
+use crate::estimate::problem::assigned::Assigned;
+use crate::estimate::problem::slot::Slot;
+use crate::estimate::problem::uncertainty::Uncertainty;
+use crate::estimate::problem::{Ending, Problem};
 use crate::statistics::excess;
-use crate::{Parameter, Warning, WarningKind};
+use crate::{Branch, Parameter, Warning, WarningKind};
 
 /// The most ranges of the speed of a line that advances, and of one that recedes; and the fewest points in a range.
 const RANGES: usize = 4;
@@ -20,6 +25,11 @@ const LEFT: f64 = 0.2;
 /// The excess of the gain from which on the law is doubted, in standard deviations: hardly one sound fit is beyond it
 /// (`tests/fit/line_speed.rs` counts them).
 const DOUBTED: f64 = 5.0;
+/// By how many of its standard errors the work of adhesion of retracts alone is less than that of both ways, at least: none of
+/// 1000 sound fits is beyond it (`tests/fit/line_speed.rs`). Where it is more than that of both ways, retracts alone may err.
+const LESS: f64 = 2.8;
+/// The rounds in which the weights of retracts alone become those of their fit.
+const ROUNDS: usize = 3;
 
 /// Returns the doubt about the law of experiment `e`, if works of adhesion of their own gain more than chance, and what
 /// they gain, in units of the variance of the residuals.
@@ -94,6 +104,41 @@ pub(super) fn doubt(score: &Score<'_>, e: usize) -> Option<(Warning, f64)> {
         if most.change > 0.0 { "larger" } else { "smaller" },
     ));
     Some((doubt, significance))
+}
+
+/// Returns the doubt that the retracts, fitted alone, have less work of adhesion: where the line is always much faster than
+/// the doubling speed, the other values make up for a wrong law of the line that advances.
+pub(super) fn doubt_of_retracts(problem: &Problem<'_>) -> Option<Warning> {
+    let has_both = |own: &Assigned| {
+        let has = |way| own.branches.contains(way);
+        own.experiment.has_line_law() && Branch::CONTACTS.iter().all(has)
+    };
+    let is_work = |slot: &Slot| slot.parameter == Parameter::WorkOfAdhesion;
+    let slot = problem.slots.iter().position(is_work)?;
+    let cycle = problem.assigned.iter().find(|own| has_both(own))?;
+    let mut retracts = problem.clone();
+    let branches = retracts.assigned.iter_mut().filter(|own| has_both(own));
+    let branches = branches.flat_map(|own| own.branches.iter_mut());
+    for branch in branches.filter(|branch| **branch == Branch::Advancing) {
+        *branch = Branch::LeftOut;
+    }
+    retracts.update().ok()?;
+    for _ in 0..ROUNDS {
+        retracts.weigh().ok()?;
+        retracts = retracts.minimise(PATIENCE, COARSE);
+    }
+    let error = Uncertainty::of(&retracts)?.relative_error(slot);
+    let [both, alone] = [problem, &retracts].map(|one| one.value(slot));
+    let is_less = (both / alone).ln() > LESS * error;
+    (is_less && retracts.ending == Ending::Converged).then(|| {
+        WarningKind::PoorFit.with(format!(
+            "{}: adhesion does not follow this law of the speed of the contact line both ways: the retract alone has \
+             work-of-adhesion = {alone:.2e} +- {:.1e} J/m^2, in place of {both:.2e} J/m^2. Fit the retract alone, which does \
+             not rest on the law of a line that advances",
+            cycle.experiment.measurement.name,
+            alone * error
+        ))
+    })
 }
 
 /// Returns the points in ranges of the speed: of a line that advances, then of one that recedes, each by rising size.

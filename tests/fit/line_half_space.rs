@@ -1,5 +1,5 @@
-//! Adhesion that depends on the speed of the contact line, under a load that changes in steps: after each the line moves
-//! fast, then ever more slowly. The truth is a half-space of JKR, by its closed forms.
+//! Adhesion that depends on the speed of the contact line: under a load that changes in steps, after each of which the line
+//! moves fast, then ever more slowly; and on the retract only. The truth is a half-space of JKR, by its closed forms.
 
 use std::f64::consts::PI;
 
@@ -28,6 +28,19 @@ fn rate(a: f64, load: f64) -> f64 {
     if ratio > 1.0 { -speed } else { speed }
 }
 
+/// Makes an experiment on the half-space, of which the noise is known.
+fn experiment(points: Vec<Point>, times: Vec<f64>) -> Experiment {
+    let lens = Probe::Paraboloid { radius: LENS };
+    let bodies = half_space_of(lens, f64::INFINITY, solid(2e6, 0.5));
+    let measured = measurement(Kind::LoadRadius, points);
+    Experiment {
+        times,
+        abscissa_noise: NOISE[0],
+        noise: Some(NOISE[1]),
+        ..Experiment::new(measured, Bodies::half_space(bodies))
+    }
+}
+
 /// What a camera of so many `images` for each step of the load sees: ten steps of 1 mN up, and nine down.
 fn seen(images: usize) -> Experiment {
     const SUBSTEPS: usize = 2000;
@@ -54,18 +67,7 @@ fn seen(images: usize) -> Experiment {
             }
         }
     }
-    let bodies = half_space_of(
-        Probe::Paraboloid { radius: LENS },
-        f64::INFINITY,
-        solid(2e6, 0.5),
-    );
-    let measured = measurement(Kind::LoadRadius, points);
-    Experiment {
-        times,
-        abscissa_noise: NOISE[0],
-        noise: Some(NOISE[1]),
-        ..Experiment::new(measured, Bodies::half_space(bodies))
-    }
+    experiment(points, times)
 }
 
 /// Read across the steps, speeds make the doubling speed too small by 4.4 standard errors on average with 8 images, and by
@@ -89,4 +91,67 @@ fn too_few_images_of_each_step_are_refused() {
     let measured = with_noise(seen(5), NOISE, 1);
     let refused = fit_with(&measured, &free_of(&LAW), |_| ());
     refused.refused("0 usable points; 95 more; at sudden steps; 15 of each step");
+}
+
+/// The approach at rest's work of adhesion and a retract by the law, which ends at the pull-off.
+fn dependent_on_retract() -> Experiment {
+    const IMAGES: usize = 130;
+    const WAY: f64 = 60.0;
+    const MOST: f64 = 0.032;
+    const SUBSTEPS: usize = 1000;
+    let pull = 3.0 * PI * LINE[0] * LENS;
+    let at_rest = |load: f64| {
+        let root = (2.0 * pull * load + pull * pull).sqrt();
+        (0.75 * LENS / REDUCED * (load + pull + root)).cbrt()
+    };
+    let (mut points, mut times) = (Vec::new(), Vec::new());
+    let mut see = |abscissa, ordinate, direction, time| {
+        let line = points.len() as u64 + 1;
+        points.push(Point {
+            line,
+            abscissa,
+            ordinate,
+            direction: Some(direction),
+        });
+        times.push(time);
+    };
+    for image in 0..IMAGES {
+        let part = (image as f64 + 0.5) / IMAGES as f64;
+        see(
+            at_rest(MOST * part),
+            MOST * part,
+            Direction::Approach,
+            WAY * part,
+        );
+    }
+    let (mut a, mut step) = (at_rest(MOST), 0);
+    let dt = WAY / (IMAGES * SUBSTEPS) as f64;
+    while a > 9e-5 {
+        let time = dt * f64::from(step);
+        let load = MOST * (1.0 - time / WAY);
+        if step as usize % SUBSTEPS == SUBSTEPS / 2 {
+            see(a, load, Direction::Retract, WAY + time);
+        }
+        let middle = a + 0.5 * dt * rate(a, load);
+        a += dt * rate(middle, load);
+        step += 1;
+    }
+    experiment(points, times)
+}
+
+/// A line that advances at rest's work of adhesion is described as well by twice this work and a doubling speed that is nine
+/// times as large. Works of adhesion for ranges of the speed tell it in 6 of these 12 sets, and the retract alone in 3 more.
+#[test]
+fn a_law_that_holds_for_the_retract_only_is_doubted() {
+    const LARGE: [f64; 2] = [2.8e-7, 8e-5];
+    let exact = dependent_on_retract();
+    let is_doubted = |seed: &u64| {
+        let mut measured = with_noise(exact.clone(), LARGE, *seed);
+        (measured.abscissa_noise, measured.noise) = (LARGE[0], Some(LARGE[1]));
+        let found = fitted(&measured, &free_of(&LAW));
+        let words = "adhesion does not follow this law of the speed of the contact line";
+        found.warnings.iter().any(|one| one.text.contains(words))
+    };
+    let doubted = (0..12).filter(is_doubted).count();
+    assert!(doubted >= 8, "{doubted} of 12");
 }
