@@ -8,7 +8,7 @@ use fit::{Bodies, Direction, Experiment, Kind, Parameter, Point};
 use interp::Probe;
 
 use crate::imagined::{fit_with, fitted, free_of, measurement, off};
-use crate::line_speed::{LAW, LINE, with_noise};
+use crate::line_speed::{LAW, LINE, moved, read, with_noise};
 
 /// The reduced modulus (Pa) and the radius of the lens (m).
 const REDUCED: f64 = 2e6 / 0.75;
@@ -84,6 +84,27 @@ fn speeds_are_not_read_across_steps_of_the_load() {
         let mean = (0..SETS).map(off).sum::<f64>() / SETS as f64;
         assert!(mean.abs() < 1.4, "{images}: {mean}");
     }
+}
+
+/// Where the camera pauses, the load of a steady ramp changes by more between two images than between others.
+#[test]
+fn a_pause_of_the_camera_is_no_step_of_the_load() {
+    let mut paused = read(&moved(LINE), [60, 120]);
+    let is_kept = |i: usize| !(20..35).contains(&i);
+    let points = paused.measurement.points.into_iter().enumerate();
+    let points = points.filter(|(i, _)| is_kept(*i));
+    paused.measurement.points = points.map(|(_, point)| point).collect();
+    let times = paused.times.into_iter().enumerate();
+    paused.times = times
+        .filter(|(i, _)| is_kept(*i))
+        .map(|(_, time)| time)
+        .collect();
+    let found = fitted(&paused, &free_of(&LAW));
+    let points = found.experiments[0].points.iter();
+    assert_eq!(
+        points.filter(|point| point.line_speed.is_none()).count(),
+        12
+    );
 }
 
 #[test]

@@ -23,7 +23,8 @@ const MOST: usize = 1000;
 /// the standard deviation of rounding over its step, `1/sqrt(12)`.
 const ROUNDED: f64 = 0.25;
 const OF_ROUNDING: f64 = 0.289;
-/// The step of a load or penetration, over the largest other one within [`FEWEST`] points, from which on it is sudden.
+/// The rate of a load or penetration from a point to the next, over the largest other one within [`FEWEST`] points, from which
+/// on the change is a sudden step.
 const SUDDEN: f64 = 5.0;
 /// The steps of a speed, in its standard deviations, over which the change of the model is taken.
 const STEPS: [f64; 2] = [1.0, 3.0];
@@ -154,19 +155,19 @@ impl Experiment {
     /// than before: no cubic describes both sides of one.
     fn between_steps<'a>(&self, way: &'a [usize]) -> Vec<&'a [usize]> {
         let imposed = |i: usize| self.measurement.points[i].ordinate;
-        let steps = way
-            .windows(2)
-            .map(|pair| imposed(pair[1]) - imposed(pair[0]));
-        let steps: Vec<f64> = steps.map(f64::abs).collect();
-        let largest = |steps: &[f64]| steps.iter().copied().fold(0.0, f64::max);
+        // A pause of the camera while the load changes steadily is no step.
+        let rate = |i: usize, j: usize| (imposed(j) - imposed(i)) / (self.times[j] - self.times[i]);
+        let rates = way.windows(2).map(|pair| rate(pair[0], pair[1]).abs());
+        let rates: Vec<f64> = rates.collect();
+        let largest = |rates: &[f64]| rates.iter().copied().fold(0.0, f64::max);
         let is_sudden = |&k: &usize| {
-            let before = &steps[k.saturating_sub(FEWEST)..k];
-            let after = &steps[k + 1..(k + 1 + FEWEST).min(steps.len())];
-            steps[k] > SUDDEN * largest(before).max(largest(after))
+            let before = &rates[k.saturating_sub(FEWEST)..k];
+            let after = &rates[k + 1..(k + 1 + FEWEST).min(rates.len())];
+            rates[k] > SUDDEN * largest(before).max(largest(after))
         };
         let mut parts = Vec::new();
         let mut rest = way;
-        for k in (0..steps.len()).filter(is_sudden) {
+        for k in (0..rates.len()).filter(is_sudden) {
             let (part, next) = rest.split_at(k + 1 - (way.len() - rest.len()));
             parts.push(part);
             rest = next;
