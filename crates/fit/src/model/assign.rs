@@ -76,7 +76,10 @@ impl Experiment {
                 if Parameter::WORKS.into_iter().any(adheres) {
                     let level = Parameter::LEVELS.into_iter().any(&is_free);
                     let slope = is_free(Parameter::BaselineSlope);
-                    let baseline = self.known_baseline(noise, level || slope);
+                    let baseline = KnownBaseline {
+                        slope_is_free: slope,
+                        ..self.known_baseline(noise, level || slope)
+                    };
                     let slope = if slope {
                         self.tilt(&segments, baseline)
                     } else {
@@ -317,6 +320,7 @@ impl Experiment {
             level: self.load_offset + self.baseline,
             level_is_free,
             noise,
+            slope_is_free: false,
         }
     }
 

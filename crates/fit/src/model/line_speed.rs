@@ -26,6 +26,8 @@ const OF_ROUNDING: f64 = 0.289;
 /// The rate of a load or penetration from a point to the next, over the largest other one within [`FEWEST`] points, from which
 /// on the change is a sudden step.
 const SUDDEN: f64 = 5.0;
+/// The speed of the line over such steps, over that just before them, from which on it has changed by them.
+const FASTER: f64 = 1.5;
 /// The steps of a speed, in its standard deviations, over which the change of the model is taken.
 const STEPS: [f64; 2] = [1.0, 3.0];
 /// What a fit needs of the two numbers of the law.
@@ -152,22 +154,32 @@ impl Experiment {
     }
 
     /// Returns the parts of a way between sudden steps of the load or penetration, after which the line moves much faster
-    /// than before: no cubic describes both sides of one.
+    /// than before: no cubic describes both sides of one. Where it does not, as where loads are rounded, they are no steps.
     fn between_steps<'a>(&self, way: &'a [usize]) -> Vec<&'a [usize]> {
-        let imposed = |i: usize| self.measurement.points[i].ordinate;
-        // A pause of the camera while the load changes steadily is no step.
-        let rate = |i: usize, j: usize| (imposed(j) - imposed(i)) / (self.times[j] - self.times[i]);
-        let rates = way.windows(2).map(|pair| rate(pair[0], pair[1]).abs());
-        let rates: Vec<f64> = rates.collect();
+        let points = &self.measurement.points;
+        let rates = |value: fn(&Point) -> f64| -> Vec<f64> {
+            let change = |i: usize, j: usize| value(&points[j]) - value(&points[i]);
+            let rate = |i, j| change(i, j) / (self.times[j] - self.times[i]);
+            way.windows(2)
+                .map(|pair| rate(pair[0], pair[1]).abs())
+                .collect()
+        };
+        // A pause of the camera while the load changes steadily is no step, because its rate is no other.
+        let [imposed, radius] = [rates(|point| point.ordinate), rates(|point| point.abscissa)];
         let largest = |rates: &[f64]| rates.iter().copied().fold(0.0, f64::max);
         let is_sudden = |&k: &usize| {
-            let before = &rates[k.saturating_sub(FEWEST)..k];
-            let after = &rates[k + 1..(k + 1 + FEWEST).min(rates.len())];
-            rates[k] > SUDDEN * largest(before).max(largest(after))
+            let before = &imposed[k.saturating_sub(FEWEST)..k];
+            let after = &imposed[k + 1..(k + 1 + FEWEST).min(imposed.len())];
+            imposed[k] > SUDDEN * largest(before).max(largest(after))
         };
+        let sudden: Vec<usize> = (1..imposed.len()).filter(is_sudden).collect();
+        let sum = |back: usize| sudden.iter().map(|k| radius[k - back]).sum::<f64>();
+        if sum(0) <= FASTER * sum(1) {
+            return vec![way];
+        }
         let mut parts = Vec::new();
         let mut rest = way;
-        for k in (0..rates.len()).filter(is_sudden) {
+        for k in sudden {
             let (part, next) = rest.split_at(k + 1 - (way.len() - rest.len()));
             parts.push(part);
             rest = next;

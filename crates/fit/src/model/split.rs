@@ -9,7 +9,8 @@ const SIGNIFICANT: f64 = 6.0;
 const NEAR: f64 = 5.0;
 /// The part of the last readings from which a baseline without a jump is read.
 const TAIL: f64 = 0.2;
-/// The scatter of the last readings, over the noise of neighbours, from which on a contact may be among them.
+/// The scatter of the last readings, over the noise of neighbours, from which on a contact may be among them, and a corner is
+/// sought. Few readings scatter as much by chance.
 const UNEVEN: f64 = 1.2;
 /// The rise of the last readings above a level, over the noise, that is more than chance: the standard deviation of
 /// their median is 0.6 to 0.8 noises.
@@ -31,6 +32,8 @@ pub(super) struct KnownBaseline {
     pub level_is_free: bool,
     /// The noise of a reading.
     pub noise: f64,
+    /// Whether the slope is free: one that is read a little wrong makes corners of a baseline.
+    pub slope_is_free: bool,
 }
 
 impl KnownBaseline {
@@ -68,6 +71,7 @@ impl KnownBaseline {
     fn jump(&self, readings: &[f64]) -> Option<[usize; 2]> {
         let step = |i: usize| readings[i + 1] - readings[i];
         let end = |length: usize| median(readings[readings.len() - length..].to_vec());
+        // Most of the usual end may be a contact in tension.
         let free = end(tail(readings.len())).max(end(FEWEST));
         let mut jumps: Vec<usize> = (0..readings.len() - 1)
             .filter(|&i| readings[i] < free && step(i) > SIGNIFICANT * self.noise)
@@ -109,7 +113,8 @@ impl KnownBaseline {
             Some((level, noise, certain))
         };
         let usual = || end(tail(count), 0);
-        let short = || level_after_corner(readings, self.noise).and_then(|m| end(m, m / 2));
+        let corner = || level_after_corner(readings, self.noise).filter(|_| !self.slope_is_free);
+        let short = || corner().and_then(|level| end(level, level / 2));
         let found = usual()
             .filter(|(_, noise, _)| *noise <= UNEVEN * self.noise)
             .or_else(short)
@@ -163,6 +168,7 @@ mod tests {
             level: 0.0,
             level_is_free: true,
             noise,
+            slope_is_free: false,
         }
     }
 

@@ -25,8 +25,8 @@ use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 const FACTORS: [f64; 2] = [0.05, 20.0];
 /// The thicknesses of a film, over the largest contact radius, from which a fit starts.
 const THICKNESSES: [f64; 2] = [0.1, 1.0];
-/// The changes of the load by adhesion, over the range of the loads, at the lowest of which a fit starts again whose work of
-/// adhesion ended at 0. Its logarithm does not come back from there.
+/// The changes of the load by adhesion, over the range of the loads, that are tried where a work of adhesion ended at 0. The
+/// fit starts again at that of the least sum of squares, because a logarithm does not come back from 0.
 const ADHESION: [f64; 6] = [0.05, 0.1, 0.2, 0.3, 0.5, 0.8];
 /// The most evaluations over the number of parameters + 1 of a fit from another start.
 const FEWER: usize = 12;
@@ -218,7 +218,7 @@ fn best<'a>(mut ends: Vec<Problem<'a>>, data: &[Assigned]) -> Minimum<'a> {
     best
 }
 
-/// Returns the lowest place with adhesion, if a work of adhesion ended at 0.
+/// Returns the place with the least sum of squares at some works of adhesion, if a work of adhesion ended at 0.
 fn with_adhesion<'a>(problem: &Problem<'a>) -> Option<Problem<'a>> {
     let slots = no_adhesion::ended_at_zero(problem);
     let first = *slots.first()?;

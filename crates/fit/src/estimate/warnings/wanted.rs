@@ -21,7 +21,7 @@ const LEFT: f64 = 1e-3;
 /// A zero of an instrument is named already from this number of its standard errors on, if it would mislead: the values
 /// found may be so correlated with it that chi^2 does not tell. For each zero, chance reaches it in one fit of 2000.
 const HINT: f64 = 3.5;
-/// The same of a spring, whose stiffness is given more often than a zero is: by chance one fit of 15,000 reaches it.
+/// The same of a spring, whose stiffness is given more often than a zero is: by chance one fit of 15,000 or fewer reaches it.
 const OF_SPRING: f64 = 4.0;
 /// The change of a value found, in its standard errors, from which on a zero misleads.
 const MISLED: f64 = 5.0;
