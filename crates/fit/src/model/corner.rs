@@ -14,9 +14,10 @@ const MOST: usize = 96;
 /// smooth course: far more than chance makes of the best one of all places.
 const CLEAR: f64 = 25.0;
 
-/// A contact leaves its baseline: up to this part of its readings is nearer to it than this part of the range of all. Drifts
-/// and waves of a long baseline have corners, too, and what lies before these stays near.
+/// The distance from the baseline, over the range of all readings, up to which a reading is near it.
 const NEAR: f64 = 0.05;
+/// The part of the readings of a contact that are near its baseline is smaller. Drifts and waves of a long baseline have
+/// corners, too, and what lies before these stays near.
 const STAYING: f64 = 0.3;
 
 /// Returns how many of the last `readings` are level, if a cubic that begins there, at a corner or a step, describes the
