@@ -71,7 +71,7 @@ fn seen(images: usize) -> Experiment {
 }
 
 /// Read across the steps, speeds make the doubling speed too small by 4.4 standard errors on average with 8 images, and by
-/// 2.1 with 15. Now they do by 0.5 and 0.9.
+/// 2.1 with 15. Now they do by 0.5 and 1.0.
 #[test]
 fn speeds_are_not_read_across_steps_of_the_load() {
     const SETS: u64 = 16;
