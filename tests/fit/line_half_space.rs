@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Refused, half_space_of, solid};
-use fit::{Bodies, Direction, Experiment, Kind, Parameter, Point};
+use fit::{Bodies, Direction, Experiment, Fit, Kind, Parameter, Point};
 use interp::Probe;
 
 use crate::imagined::{fit_with, fitted, free_of, measurement, off};
@@ -26,6 +26,16 @@ fn rate(a: f64, load: f64) -> f64 {
     let ratio = (pressed - load).powi(2) / (8.0 * PI * REDUCED * a.powi(3) * w);
     let speed = v0 * (ratio.max(ratio.recip()) - 1.0).powf(1.0 / n);
     if ratio > 1.0 { -speed } else { speed }
+}
+
+/// Adds what one image sees.
+fn add(points: &mut Vec<Point>, [abscissa, ordinate]: [f64; 2], direction: Direction) {
+    points.push(Point {
+        line: points.len() as u64 + 1,
+        abscissa,
+        ordinate,
+        direction: Some(direction),
+    });
 }
 
 /// Makes an experiment on the half-space, of which the noise is known.
@@ -54,12 +64,7 @@ fn seen(images: usize) -> Experiment {
         for image in 0..images {
             for substep in 0..SUBSTEPS {
                 if substep == SUBSTEPS / 2 {
-                    points.push(Point {
-                        line: points.len() as u64 + 1,
-                        abscissa: a,
-                        ordinate: load,
-                        direction: Some(direction),
-                    });
+                    add(&mut points, [a, load], direction);
                     times.push(HELD * (step as f64 + (image as f64 + 0.5) / images as f64));
                 }
                 let middle = a + 0.5 * dt * rate(a, load);
@@ -86,6 +91,12 @@ fn speeds_are_not_read_across_steps_of_the_load() {
     }
 }
 
+/// Returns how many points have no speed of the line: three at each end of two ways are 12.
+fn without_speed(found: &Fit) -> usize {
+    let points = found.experiments[0].points.iter();
+    points.filter(|point| point.line_speed.is_none()).count()
+}
+
 /// Where the camera pauses, the load of a steady ramp changes by more between two images than between others.
 #[test]
 fn a_pause_of_the_camera_is_no_step_of_the_load() {
@@ -99,12 +110,7 @@ fn a_pause_of_the_camera_is_no_step_of_the_load() {
         .filter(|(i, _)| is_kept(*i))
         .map(|(_, time)| time)
         .collect();
-    let found = fitted(&paused, &free_of(&LAW));
-    let points = found.experiments[0].points.iter();
-    assert_eq!(
-        points.filter(|point| point.line_speed.is_none()).count(),
-        12
-    );
+    assert_eq!(without_speed(&fitted(&paused, &free_of(&LAW))), 12);
 }
 
 /// Loads of a ramp that are rounded to steps of five images change no speed.
@@ -114,12 +120,7 @@ fn rounded_loads_are_no_steps() {
     for point in &mut rounded.measurement.points {
         point.ordinate = 4e-4 * (point.ordinate / 4e-4).round();
     }
-    let found = fitted(&rounded, &free_of(&LAW));
-    let points = found.experiments[0].points.iter();
-    assert_eq!(
-        points.filter(|point| point.line_speed.is_none()).count(),
-        12
-    );
+    assert_eq!(without_speed(&fitted(&rounded, &free_of(&LAW))), 12);
 }
 
 #[test]
@@ -141,24 +142,11 @@ fn dependent_on_retract() -> Experiment {
         (0.75 * LENS / REDUCED * (load + pull + root)).cbrt()
     };
     let (mut points, mut times) = (Vec::new(), Vec::new());
-    let mut see = |abscissa, ordinate, direction, time| {
-        let line = points.len() as u64 + 1;
-        points.push(Point {
-            line,
-            abscissa,
-            ordinate,
-            direction: Some(direction),
-        });
-        times.push(time);
-    };
     for image in 0..IMAGES {
         let part = (image as f64 + 0.5) / IMAGES as f64;
-        see(
-            at_rest(MOST * part),
-            MOST * part,
-            Direction::Approach,
-            WAY * part,
-        );
+        let load = MOST * part;
+        add(&mut points, [at_rest(load), load], Direction::Approach);
+        times.push(WAY * part);
     }
     let (mut a, mut step) = (at_rest(MOST), 0);
     let dt = WAY / (IMAGES * SUBSTEPS) as f64;
@@ -166,7 +154,8 @@ fn dependent_on_retract() -> Experiment {
         let time = dt * f64::from(step);
         let load = MOST * (1.0 - time / WAY);
         if step as usize % SUBSTEPS == SUBSTEPS / 2 {
-            see(a, load, Direction::Retract, WAY + time);
+            add(&mut points, [a, load], Direction::Retract);
+            times.push(WAY + time);
         }
         let middle = a + 0.5 * dt * rate(a, load);
         a += dt * rate(middle, load);

@@ -113,8 +113,13 @@ impl KnownBaseline {
             Some((level, noise, certain))
         };
         let usual = || end(tail(count), 0);
-        let corner = || level_after_corner(readings, self.noise).filter(|_| !self.slope_is_free);
-        let short = || corner().and_then(|level| end(level, level / 2));
+        let short = || {
+            if self.slope_is_free {
+                return None;
+            }
+            let level = level_after_corner(readings, self.noise)?;
+            end(level, level / 2)
+        };
         let found = usual()
             .filter(|(_, noise, _)| *noise <= UNEVEN * self.noise)
             .or_else(short)
@@ -135,21 +140,14 @@ impl KnownBaseline {
         } else {
             2 * contact_ends.saturating_sub(clear) + 1
         };
-        let baseline_begins = contact_ends + margin;
+        let baseline_begins = (contact_ends + margin).min(count - certain);
         // A retract that ends in contact, after its largest tension, is flat there, and rises behind it.
         let last = SIDE.min(tail(count) / 2);
         let rise = median(readings[count - last..].to_vec()) - level;
-        if self.level_is_free
-            && rise > RISE * self.noise
-            && baseline_begins + FEWEST > count
-            && certain == 0
-        {
+        if self.level_is_free && rise > RISE * self.noise && baseline_begins + FEWEST > count {
             return [count; 2];
         }
-        [
-            contact_ends,
-            baseline_begins.min(count - certain).max(contact_ends),
-        ]
+        [contact_ends, baseline_begins.max(contact_ends)]
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Speeds of neighbours are read from the same radii, so that residuals are alike and do not tell whether the model
 //! holds. Rao's score test does: of a work of adhesion of its own for each of up to four ranges of the speed of a line
-//! that advances, and of one that recedes.
+//! that advances, and of one that recedes. Where it finds none, the retracts are fitted alone.
 
 use nalgebra::DVector;
 

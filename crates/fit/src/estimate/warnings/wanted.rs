@@ -56,12 +56,7 @@ pub(crate) fn add(
         )));
     }
     let explained = adhesion.map_or(0.0, |found| found.0.significance);
-    let mut law_doubts: Vec<_> = (0..problem.assigned.len())
-        .map(|e| line_law::doubt(&score, e))
-        .collect();
-    if law_doubts.iter().all(Option::is_none) {
-        warnings.extend(line_law::doubt_of_retracts(problem));
-    }
+    let mut law_is_doubted = false;
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if experiment.measurement.kind.is_stiffness() || lost_radii::doubt(assigned).is_some() {
@@ -77,7 +72,8 @@ pub(crate) fn add(
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
         let zeros = Parameter::ZEROS.into_iter().filter(is_wanted);
-        if let Some((doubt, significance)) = law_doubts[e].take() {
+        if let Some((doubt, significance)) = line_law::doubt(&score, e) {
+            law_is_doubted = true;
             let of_zeros = score.largest_gain(e, zeros.clone());
             let is_better = significance > score.significance(of_zeros);
             warnings.push(doubt);
@@ -94,6 +90,9 @@ pub(crate) fn add(
         if !fitted.contains(&Parameter::WorkOfAdhesionReceding) && !experiment.has_line_law() {
             warnings.extend(score.mixed(e));
         }
+    }
+    if !law_is_doubted {
+        warnings.extend(line_law::doubt_of_retracts(problem));
     }
 }
 
