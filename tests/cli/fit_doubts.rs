@@ -98,9 +98,48 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} film-modulus=3MPa+-1kPa --value film-modulus=3MPa | film-modulus; twice; film-modulus=+-3%
         1 | {known} film-thickness=+-3e-2 | known film-thickness; 0.03; at most its value
         1 | {known} film-thickness=+-300% | known film-thickness; at most its value
+        1 | {known} height=+-1% | known height; not given; a value that the measurement has
+        1 | {known} layer-1.modulus=+-1% | known layer-1.modulus; not given; a value that the measurement has
+        1 | {known} load=+-200% | known load; at most its value
+        1 | {known} load=1.02+-1% | load of data.csv = 1.02; left out: it is 1
+        2 | {known} load=+-1uN | is a force; a number without a unit
+        2 | {known} force=+-1% | no value of a fit; contact-radius, penetration, height, load
         1 | fit data.csv --sphere-modulus 2MPa --free work-of-adhesion --known film-thickness=+-3% | --film-thickness is missing
         1 | fit data.csv --film-thickness 3e-5 --specimen paper --free work-of-adhesion,work-of-adhesion-receding | work-of-adhesion-receding; directions; --segments split
         "
+    ));
+}
+
+/// Forces are the deflection times the stiffness where the head of the file names it. Of other forces nobody knows, and the
+/// report says what the row of the stiffness leaves out.
+#[test]
+fn the_error_of_a_stiffness_is_that_of_the_forces_made_with_it() {
+    let workdir = workdir!();
+    let gel = "--specimen paper --sphere-radius 10um --sphere-modulus inf --film-thickness 20um";
+    let made = workdir.simulate(format!(
+        "{gel} --film-modulus 5kPa --work-of-adhesion 50uJ/m^2 --stiffness 0.1 --kind force-height --from 1um \
+         --to -200nm --points 120 --noise 50pN"
+    ));
+    workdir.write("bare.csv", &made);
+    workdir.write("head.csv", format!("# springConstant: 0.1\n{made}"));
+    let free = "--free film-modulus,work-of-adhesion,contact-point,baseline";
+    let fit = |file: &str| format!("fit {file} {gel} {free} --stiffness 0.1");
+    let words =
+        "stiffness leaves the loads as they were read; the rows of load and stiffness add up";
+    assert_names(&workdir.succeed(fit("bare.csv")), words);
+    let report = workdir.succeed(fit("head.csv"));
+    assert!(!report.contains("add up"), "{report}");
+    for (file, range) in [("bare.csv", 0.0..0.05), ("head.csv", 0.1..0.11)] {
+        let found = workdir.json(format!("{} --known stiffness=+-10% --json", fit(file)));
+        for name in ["film_modulus", "work_of_adhesion"] {
+            let of = |what| number(&found, &format!("parameters/{name}/{what}"));
+            let part = of("stderr") / of("value");
+            assert!(range.contains(&part), "{file}, {name}: {part}");
+        }
+    }
+    let free = "--free film-modulus,contact-point,baseline,stiffness";
+    workdir.refuses(format!(
+        "1 | fit head.csv {gel} {free} --work-of-adhesion 50uJ/m^2 | stiffness; turns a deflection into a force; fix it"
     ));
 }
 

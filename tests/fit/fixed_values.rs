@@ -4,7 +4,7 @@
 use acceptance::{Contacts, Refused, assert_names};
 use fit::{
     Bodies, Experiment, Fit, Fixed, Free, Kind, Known, LayerQuantity, Loss, Options, Parameter,
-    simulate,
+    Scale, simulate,
 };
 use interp::{Probe, Table};
 use rayon::prelude::*;
@@ -21,6 +21,8 @@ fn names_are_read_as_they_are_written() {
     for (name, identifier) in [
         ("sphere-radius", "sphere_radius"),
         ("beta", "beta"),
+        ("contact-radius", "contact_radius"),
+        ("load", "load"),
         ("film-thickness", "film_thickness"),
         ("work-of-adhesion", "work_of_adhesion"),
         ("substrate-poisson-ratio", "substrate_poisson_ratio"),
@@ -51,6 +53,23 @@ fn told(experiment: &Experiment, free: &[Free]) -> Fit {
     found(experiment, free, |options| options.fixed_values = true)
 }
 
+/// Multiplies all readings of a quantity, from their zero in a fit.
+fn multiply(experiment: &mut Experiment, scale: Scale, factor: f64, fit: &Fit) {
+    let value = |parameter| fit.estimate(parameter).map(|one| one.value);
+    let first = value(Parameter::ContactPoint).unwrap_or(experiment.contact_point);
+    let level = value(Parameter::Baseline).unwrap_or(experiment.baseline);
+    for point in &mut experiment.measurement.points {
+        match scale {
+            Scale::ContactRadius => point.abscissa *= factor,
+            Scale::Penetration | Scale::Height => {
+                point.abscissa = first + factor * (point.abscissa - first);
+            }
+            Scale::Load => point.ordinate = level + factor * (point.ordinate - level),
+            Scale::ContactStiffness => point.ordinate *= factor,
+        }
+    }
+}
+
 /// Asserts that every change listed is that of fits with other values.
 fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Loss, names: &str) {
     let here = found(experiment, free, |options| {
@@ -65,7 +84,10 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
     for one in &here.fixed_values {
         let values = |value: f64| {
             let mut changed = experiment.clone();
-            changed.set_fixed(one.quantity, value).expect("physical");
+            match one.quantity {
+                Fixed::Scale(scale) => multiply(&mut changed, scale, value, &here),
+                quantity => changed.set_fixed(quantity, value).expect("physical"),
+            }
             let found = found(&changed, free, |options| options.loss = loss);
             let estimates = found.estimates.iter();
             estimates.map(|one| one.value).collect::<Vec<_>>()
@@ -94,7 +116,7 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
 #[test]
 fn changes_are_those_of_fits_with_other_values() {
     let of_film = "sphere-radius substrate-modulus substrate-poisson-ratio film-modulus \
-                  film-poisson-ratio film-thickness";
+                  film-poisson-ratio film-thickness load-offset contact-radius load";
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
     for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
@@ -110,7 +132,7 @@ fn changes_are_those_of_fits_with_other_values() {
     let probe = Imagined::probe(Course::Approach, 0.0, &free);
     let experiment = probe.measured(&probe.exact(), 1);
     let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio \
-                 film-thickness stiffness";
+                 film-thickness stiffness height load";
     assert_as_refits("probe", &experiment, &probe.free, Loss::Squares, names);
     // Of a deflection the forces are as uncertain as the stiffness.
     let mut experiment = experiment;
@@ -119,7 +141,8 @@ fn changes_are_those_of_fits_with_other_values() {
     // The factor of a contact stiffness.
     let stiffness = noisy(&at_radii(&oxide(), [5e-8, 1.5e-6], 30), 0.01, 1);
     let free = free_of(&[Parameter::FilmModulus]);
-    let names = "substrate-modulus substrate-poisson-ratio beta sphere-modulus film-poisson-ratio film-thickness";
+    let names = "substrate-modulus substrate-poisson-ratio beta sphere-modulus film-poisson-ratio film-thickness \
+                 contact-radius contact-stiffness";
     assert_as_refits("beta", &stiffness, &free, Loss::Squares, names);
     // A confined film that keeps its volume: the modulus follows the Poisson ratio far from in proportion.
     let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
@@ -130,8 +153,8 @@ fn changes_are_those_of_fits_with_other_values() {
     gel.truth.measurement.kind = Kind::LoadPenetration;
     gel.truth.stiffness = None;
     let experiment = gel.measured(&gel.exact(), 1);
-    let names =
-        "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness";
+    let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness load-offset \
+         penetration load";
     assert_as_refits("gel", &experiment, &gel.free, Loss::Squares, names);
     let here = told(&experiment, &gel.free);
     let of_poisson = &here.fixed_values[3];
@@ -140,8 +163,8 @@ fn changes_are_those_of_fits_with_other_values() {
     let whole = found(&less, &gel.free, |_| ()).estimates[0].value - here.estimates[0].value;
     let (change, step) = (of_poisson.changes[0], of_poisson.step);
     assert!(step == -0.01 && whole < 0.9 * change, "{change} {whole}");
-    // A half-space: Hertz's modulus is that of (1 - nu^2) E/(1 - nu^2), so that 1 % of the radius
-    // is -0.5 % of the modulus in closed form.
+    // A half-space: Hertz's modulus is (1 - nu^2) 3/4 P / (sqrt(R) delta^3/2), so that 1 % of the radius is -0.5 % of the
+    // modulus, and of the penetrations -1.5 %.
     let free = [Parameter::FilmModulus];
     let mut hertz = Imagined::probe(Course::Approach, 0.0, &free);
     let system = as_film(&hertz.truth.bodies);
@@ -161,8 +184,17 @@ fn changes_are_those_of_fits_with_other_values() {
             .find(|one| one.quantity == quantity);
         one.expect("listed").changes[0] / value
     };
-    let of_radius = change(Fixed::SphereRadius);
-    assert!((of_radius / -0.005 - 1.0).abs() < 1e-3, "{of_radius}");
+    for (quantity, expected) in [
+        (Fixed::SphereRadius, -0.005),
+        (Fixed::Scale(Scale::Penetration), -0.015),
+        (Fixed::Scale(Scale::Load), 0.01),
+    ] {
+        let found = change(quantity);
+        assert!(
+            (found / expected - 1.0).abs() < 1e-3,
+            "{quantity:?}: {found}"
+        );
+    }
     let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
     let of_poisson = change(poisson);
     let expected = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);

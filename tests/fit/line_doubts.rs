@@ -1,9 +1,9 @@
 //! What a fit says where adhesion depends on the speed of the contact line by another law than the fitted one, or where no law
 //! is fitted.
 
-use fit::{Direction, Experiment, Parameter, Point, WarningKind};
+use fit::{Direction, Experiment, Fixed, Parameter, Point, Scale, WarningKind};
 
-use crate::imagined::{assert_silent, assert_warns, fitted, free_of};
+use crate::imagined::{assert_silent, assert_warns, fit_with, fitted, free_of};
 use crate::line_speed::{LAW, LINE, contact, moved, read, with_noise};
 use Parameter::{FilmModulus, WorkOfAdhesion, WorkOfAdhesionReceding};
 
@@ -84,5 +84,34 @@ fn without_the_law_such_data_ask_for_it() {
         WarningKind::MixedBranches,
     ] {
         assert_silent(&found, kind);
+    }
+}
+
+/// The speeds are read from the radii, and err with them.
+#[test]
+fn a_scale_of_the_radii_counts_for_the_speeds() {
+    let exact = read(&moved(LINE), [60, 120]);
+    let free = free_of(&LAW);
+    let of = |experiment: &Experiment| {
+        let told = fit_with(experiment, &free, |options| options.fixed_values = true);
+        told.expect("sound")
+    };
+    let here = of(&exact);
+    let mut larger = exact;
+    for point in &mut larger.measurement.points {
+        point.abscissa *= 1.01;
+    }
+    let refitted = of(&larger);
+    let radii = Fixed::Scale(Scale::ContactRadius);
+    let mut rows = here.fixed_values.iter();
+    let row = rows.find(|one| one.quantity == radii).expect("listed");
+    let both = here.estimates.iter().zip(&refitted.estimates);
+    for ((before, after), change) in both.zip(&row.changes) {
+        let by_fit = after.value - before.value;
+        let name = before.parameter;
+        assert!(
+            (change / by_fit - 1.0).abs() < 0.1,
+            "{name}: {change:e}, by fits {by_fit:e}"
+        );
     }
 }

@@ -66,5 +66,5 @@ pub use model::{
     AreaFunction, Bodies, Branch, ContactDepth, Direction, Experiment, Fixed, Free, Indentation,
     Interrupt, Kind, Known, LayerName, LayerQuantity, LineSpeed, Loss, LossAngle,
     MOST_COEFFICIENTS, Measurement, NamedLayer, Numbering, Options, Parameter, Point, PointErrors,
-    Prediction, Prior, Reach, Relaxing, Scope, Solver, simulate,
+    Prediction, Prior, Reach, Relaxing, Scale, Scope, Solver, simulate,
 };

@@ -115,11 +115,14 @@ pub struct Notes {
 }
 
 impl Notes {
-    /// Tells whether forces are a deflection times the stiffness of the cantilever.
+    /// Tells whether forces are a deflection times the stiffness of the cantilever: where deflections are read, or forces
+    /// with the stiffness that the head names.
     pub fn has_deflection(&self) -> bool {
-        self.columns
-            .iter()
-            .any(|column| column.role == Role::Deflection)
+        let has = |role| self.columns.iter().any(|column| column.role == role);
+        let named = self.head.stiffness.as_ref().map(|named| named.value);
+        let is_of_head = named.is_some() && named == self.cantilever.stiffness;
+        let has_height = has(Role::Height) || has(Role::Separation);
+        has(Role::Deflection) || (is_of_head && has_height && has(Role::Load))
     }
 
     /// Tells whether a deflection is in volts, which needs the sensitivity.

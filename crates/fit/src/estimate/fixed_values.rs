@@ -128,17 +128,21 @@ pub(super) fn effects(
         }
         let error = known.iter().find(|one| one.quantity == quantity);
         let error = error.map(|one| one.error);
+        let has_value = |one: &&Assigned| value_of(&one.experiment).is_some();
+        let noise = problem.assigned.iter().find(has_value)?.noise;
+        let is_relative = quantity.errs_in_proportion() && value != 0.0;
         let step = match error {
             // No Poisson ratio is above 0.5.
             _ if quantity.is_poisson_ratio() && value + STEP > 0.5 => -STEP,
             _ if quantity.is_poisson_ratio() => STEP,
-            Some(error) if value == 0.0 => error,
-            _ => STEP * value.abs(),
+            _ if is_relative => STEP * value.abs(),
+            Some(error) => error,
+            // A zero is known to some noise of a reading.
+            None => noise,
         };
         let moved = |step: f64| {
             let by = PART * step;
             // Several measurements may have values of their own.
-            let is_relative = quantity.errs_in_proportion() && value != 0.0;
             residuals_of(problem, |experiment| {
                 let Some(own) = value_of(experiment) else {
                     return Ok(());

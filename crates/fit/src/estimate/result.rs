@@ -267,8 +267,8 @@ pub struct FixedValue {
     pub value: f64,
     /// The numbers of all measurements that have one, in their order, if they differ; else empty.
     pub values: Vec<f64>,
-    /// A change of it: 1 %, or 0.01 of a Poisson ratio. Where the value is at the end of what is
-    /// possible, as a Poisson ratio of 0.5, it goes to the other side.
+    /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading. Where the
+    /// value is at the end of what is possible, as a Poisson ratio of 0.5, it goes to the other side.
     pub step: f64,
     /// The change of each estimate that follows, in SI units and in their order: to the first order, as
     /// if the effect of a small change grew in proportion. NaN where the change leads to no contact.

@@ -4,9 +4,41 @@ use std::borrow::Cow;
 
 use interp::{Elastic, Probe};
 
-use super::{Experiment, LayerName, LayerQuantity, Parameter, Reach, Relaxing};
+use super::{Experiment, Kind, LayerName, LayerQuantity, Parameter, Reach, Relaxing};
 use crate::Error;
 use units::Dimension;
+
+named! {
+    /// A quantity that an instrument reads. Where its calibration is off, all readings err by one factor, from their zero.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Scale {
+        /// Contact radii: the scale of a microscope.
+        ContactRadius = "contact-radius",
+        /// Penetrations.
+        Penetration = "penetration",
+        /// Heights of the base of a cantilever.
+        Height = "height",
+        /// Loads: those of a load cell, or of a cantilever by the sensitivity of its deflection.
+        Load = "load",
+        /// Contact stiffnesses.
+        ContactStiffness = "contact-stiffness",
+    }
+}
+
+impl Kind {
+    /// Returns the quantities that are read as abscissa and ordinate.
+    pub(crate) const fn scales(self) -> [Scale; 2] {
+        match self {
+            Self::LoadRadius => [Scale::ContactRadius, Scale::Load],
+            Self::PenetrationRadius => [Scale::ContactRadius, Scale::Penetration],
+            Self::LoadPenetration => [Scale::Penetration, Scale::Load],
+            Self::ForceHeight => [Scale::Height, Scale::Load],
+            Self::StiffnessRadius => [Scale::ContactRadius, Scale::ContactStiffness],
+            Self::StiffnessLoad => [Scale::Load, Scale::ContactStiffness],
+            Self::StiffnessDepth => [Scale::Penetration, Scale::ContactStiffness],
+        }
+    }
+}
 
 /// A value that a fit takes as given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +49,8 @@ pub enum Fixed {
     SphereRadius,
     /// The factor `beta` of a contact stiffness.
     Beta,
+    /// A factor on all readings of a quantity, which is 1.
+    Scale(Scale),
     /// Young's modulus of the substrate, or of the base of a stack, Pa.
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
@@ -51,6 +85,7 @@ impl Fixed {
             Self::SubstrateModulus | Self::ReferenceModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
             Self::Beta
+            | Self::Scale(_)
             | Self::SubstratePoissonRatio
             | Self::ReferencePoissonRatio
             | Self::LayerPoissonRatio(_)
@@ -64,6 +99,7 @@ impl Fixed {
             Self::Parameter(parameter) => parameter.name(),
             Self::SphereRadius => "sphere-radius".into(),
             Self::Beta => "beta".into(),
+            Self::Scale(scale) => scale.name().into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
             Self::ReferenceModulus => "reference-modulus".into(),
@@ -107,6 +143,7 @@ impl Fixed {
             .find(|one| one.name() == name)
             .or_else(of_layer)
             .or_else(|| name.parse().ok().map(Self::Parameter))
+            .or_else(|| Scale::of_name(name).map(Self::Scale))
             .or_else(of_named_layer)
     }
 
@@ -131,7 +168,7 @@ impl Fixed {
     pub(crate) const fn is_poisson_ratio(self) -> bool {
         match self {
             Self::Parameter(parameter) => matches!(parameter, Parameter::FilmPoissonRatio),
-            _ => self.dimension().is_none() && !matches!(self, Self::Beta),
+            _ => self.dimension().is_none() && !matches!(self, Self::Beta | Self::Scale(_)),
         }
     }
 }
@@ -167,15 +204,16 @@ impl Experiment {
         all
     }
 
-    /// Lists the positive values and Poisson ratios that matter to a fit of the parameters `free`
-    /// and that it takes as given.
+    /// Lists the positive values, Poisson ratios, scales and zeros of what is read that matter to a fit of the parameters
+    /// `free` and that it takes as given.
     pub(crate) fn fixed(&self, free: &[Parameter]) -> Vec<Fixed> {
         // The layers of a table are those of its file.
         let in_table = self.bodies.solver.why_layers_are_fixed().is_some();
         let matters = |one: &Fixed| {
             let is_kind = match one {
                 Fixed::Parameter(parameter) => {
-                    (parameter.is_positive() || one.is_poisson_ratio())
+                    let is_usual = parameter.is_positive() || one.is_poisson_ratio();
+                    (is_usual || self.is_zero_of_ordinates(*parameter))
                         && !free.contains(parameter)
                         && self.why_without_effect(*parameter).is_none()
                 }
@@ -183,15 +221,26 @@ impl Experiment {
                 Fixed::Beta => true,
                 _ => !in_table,
             };
-            let is_usual = |value: f64| one.is_poisson_ratio() || value > 0.0;
+            let is_usual = |value: f64| !one.errs_in_proportion() || value > 0.0;
             is_kind
                 && self
                     .value_of(*one)
                     .is_some_and(|value| value.is_finite() && is_usual(value))
         };
         let mut all = self.quantities();
+        all.extend(Scale::ALL.map(Fixed::Scale));
         all.retain(matters);
         all
+    }
+
+    /// Tells whether a parameter is the zero of the ordinates.
+    fn is_zero_of_ordinates(&self, parameter: Parameter) -> bool {
+        match self.measurement.kind {
+            Kind::LoadRadius | Kind::LoadPenetration => parameter == Parameter::LoadOffset,
+            Kind::PenetrationRadius => parameter == Parameter::ContactPoint,
+            Kind::ForceHeight => parameter == Parameter::Baseline,
+            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => false,
+        }
     }
 
     /// Returns a value that a fit takes as given; `None` where there is none, and for the Poisson
@@ -216,6 +265,7 @@ impl Experiment {
                 .then_some(self.indentation.beta),
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
+            Fixed::Scale(scale) => self.is_read(scale).then_some(1.0),
             Fixed::ReferenceModulus => reference.map(|solid| solid.young()),
             Fixed::ReferencePoissonRatio => reference.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
@@ -236,6 +286,11 @@ impl Experiment {
         }
         let wrong = |allowed: &'static str| Err(self.wrong_setting(one.name(), value, allowed));
         match (one, self.value_of(one)) {
+            (Fixed::Scale(_), _) => {
+                return wrong(
+                    "left out: it is 1, and readings that are off are multiplied in the data",
+                );
+            }
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
             }
@@ -266,6 +321,7 @@ impl Experiment {
         match one {
             Fixed::Parameter(parameter) => self.replace(parameter, value)?,
             Fixed::Beta => self.indentation.beta = value,
+            Fixed::Scale(scale) => self.multiply_readings(scale, value),
             Fixed::SphereRadius => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
@@ -299,5 +355,42 @@ impl Experiment {
             }
         }
         Ok(())
+    }
+
+    /// Tells whether a quantity is read.
+    fn is_read(&self, scale: Scale) -> bool {
+        let has_loads = !self.indentation.loads.is_empty();
+        self.measurement.kind.scales().contains(&scale) || (scale == Scale::Load && has_loads)
+    }
+
+    /// Multiplies all readings of a quantity, from their zero. Of contact radii the speeds of the contact line follow.
+    fn multiply_readings(&mut self, scale: Scale, factor: f64) {
+        let [abscissa, ordinate] = self.measurement.kind.scales();
+        let first = match abscissa {
+            Scale::Penetration | Scale::Height => self.contact_point,
+            Scale::ContactRadius | Scale::Load | Scale::ContactStiffness => 0.0,
+        };
+        let mut points = std::mem::take(&mut self.measurement.points);
+        for point in &mut points {
+            if scale == ordinate {
+                let zero = self.baseline_at(point.abscissa);
+                point.ordinate = zero + factor * (point.ordinate - zero);
+            }
+            if scale == abscissa {
+                point.abscissa = first + factor * (point.abscissa - first);
+            }
+        }
+        self.measurement.points = points;
+        if scale == Scale::Load {
+            self.indentation
+                .loads
+                .iter_mut()
+                .for_each(|load| *load *= factor);
+        }
+        if scale == Scale::ContactRadius {
+            self.line_speeds
+                .iter_mut()
+                .for_each(|line| line.speed *= factor);
+        }
     }
 }

@@ -47,7 +47,7 @@ pub(crate) use differences::{ContactOf, contacts_of};
 pub(crate) use errors::AbscissaError;
 pub use errors::PointErrors;
 pub use experiment::Experiment;
-pub use fixed::Fixed;
+pub use fixed::{Fixed, Scale};
 pub(crate) use free::has_no_start;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};

@@ -2,7 +2,7 @@
 
 use super::name::{NAME, name};
 use super::unit::{decimals_of_three, is_zero, scaled};
-use crate::{Estimate, Fit, FixedValue};
+use crate::{Estimate, Experiment, Fit, Fixed, FixedValue, Kind, Parameter};
 
 /// The smallest width of a column.
 const COLUMN: usize = 10;
@@ -10,8 +10,8 @@ const COLUMN: usize = 10;
 const MANY: f64 = 1e5;
 
 /// Writes a row for each given value, with the change of each estimate that follows from a change
-/// of the value, and below it the errors that known values add.
-pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
+/// of the value, and below it what the rows do not say, and the errors that known values add.
+pub fn write(out: &mut String, fit: &Fit, experiments: &[Experiment], files: &[&str]) {
     if fit.fixed_values.is_empty() {
         return;
     }
@@ -31,14 +31,27 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
         let (what, by, cells) = (one.quantity.name(), step(one), cells.collect::<String>());
         *out += &format!("  {what:<NAME$} {by:<width$}{cells}\n", width = NAME - 3);
     }
+    let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
+    let are_forces =
+        |one: &Experiment| one.measurement.kind == Kind::ForceHeight && !one.from_deflection;
+    if fit
+        .fixed_values
+        .iter()
+        .any(|one| one.quantity == of_cantilever)
+        && experiments.iter().any(are_forces)
+    {
+        *out += "(the row of stiffness leaves the loads as they were read: if they are the deflection times this stiffness, \
+                 another stiffness multiplies them, too, and the rows of load and stiffness add up)\n";
+    }
     for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
         let error = one.error.unwrap_or(0.0);
-        let (unit, size) = if one.values.is_empty() || !one.quantity.errs_in_proportion() {
-            // That of a zero has the prefix of the error.
-            scaled(one.quantity.unit(), one.value.abs().max(error))
-        } else {
+        let are_apart = !one.values.is_empty() && one.quantity.errs_in_proportion();
+        let (unit, size) = if are_apart || matches!(one.quantity, Fixed::Scale(_)) {
             // A part of each value.
             ("%".to_owned(), 1e-2 * one.value)
+        } else {
+            // That of a zero has the prefix of the error.
+            scaled(one.quantity.unit(), one.value.abs().max(error))
         };
         let known = plain(error / size);
         let parts = names.iter().enumerate().map(|(i, name)| {
@@ -70,7 +83,7 @@ fn step(one: &FixedValue) -> String {
         let [from, to] = [one.value, one.value + one.step].map(plain);
         return format!("{from} -> {to}");
     }
-    if one.value == 0.0 {
+    if one.value == 0.0 || !one.quantity.errs_in_proportion() {
         let (unit, size) = scaled(one.quantity.unit(), one.step);
         return format!("{:+.2} {unit}", one.step / size);
     }

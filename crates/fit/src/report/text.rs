@@ -64,7 +64,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     if let Some(text) = film(fit, &experiments[0].bodies) {
         out += &format!("{text}\n");
     }
-    fixed_values::write(&mut out, fit, &files);
+    fixed_values::write(&mut out, fit, experiments, &files);
     undetermined(&mut out, &fit.undetermined);
     // A wrong sign explains other warnings.
     for (experiment, notes) in experiments.iter().zip(notes) {

@@ -181,8 +181,8 @@ class FixedValue:
     values : tuple of float
         The values of all experiments that have one, in their order, if they differ; else empty.
     step : float
-        A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
-        possible, such as a Poisson ratio of 0.5.
+        A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a
+        reading; to the other side at the end of what is possible, such as a Poisson ratio of 0.5.
     changes : dict of str to float
         The changes of the values found that follow, in SI units and to the first order, by name.
     standard_error : float or None

@@ -52,7 +52,8 @@ impl Given {
             all = values(sample);
         }
         let is_factor = quantity.errs_in_proportion();
-        let first = all.first().copied().unwrap_or_default();
+        // A value that is not there is refused by the fit.
+        let first = all.first().copied().unwrap_or(1.0);
         let error = match self.error {
             GivenError::Absolute(error) => {
                 ensure!(
@@ -128,8 +129,9 @@ impl FromStr for Given {
         let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
                 "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
-                 substrate-poisson-ratio, reference-modulus, reference-poisson-ratio, beta or a parameter that is not \
-                 free, such as film-thickness"
+                 substrate-poisson-ratio, reference-modulus, reference-poisson-ratio, beta, contact-radius, penetration, \
+                 height, load or contact-stiffness for the scale of what is read, or a parameter that is not free, such as \
+                 film-thickness"
             )
         })?;
         let (value, error) = parts(known, how)?;
