@@ -235,6 +235,15 @@ def test_experiments_of_one_name_are_told_apart():
     refuses(cc.FitError, "noise of experiment 2", lambda: cc.forecast(plan, WANTED))
 
 
+def test_an_error_of_a_calibration_is_one_of_the_values_found():
+    found = cc.fit(lens(seed=1), WANTED, known={"contact_radius": 0.01})
+    row = next(one for one in found.fixed_values if one.quantity == "contact_radius")
+    modulus = "sphere_modulus"
+    assert row.value == 1.0
+    assert -0.045 < row.changes[modulus] / found.params[modulus] < -0.03
+    assert found.stderr[modulus] > abs(row.changes[modulus])
+
+
 def test_fixed_values_are_left_out_or_refused():
     assert cc.fit(lens(seed=1), WANTED, fixed_values=False).fixed_values == ()
     refuses(

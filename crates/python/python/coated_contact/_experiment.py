@@ -116,7 +116,8 @@ class Experiment(Remade, OneLine):
         Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
     from_deflection : bool
         Whether the ordinates are this ``stiffness`` times a measured deflection, as
-        :func:`read_experiment` finds; then what is known of the stiffness holds for the forces,
+        :func:`read_experiment` finds for deflections, and for forces in a file whose head names
+        this stiffness; then what is known of the stiffness holds for the forces,
         too. Another stiffness needs other ordinates: read the file again.
     noise : float or array_like, optional
         Standard deviation of an ordinate, N or m, or one for each point; None estimates it from
