@@ -20,6 +20,7 @@ const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 fn names_are_read_as_they_are_written() {
     for (name, identifier) in [
         ("sphere-radius", "sphere_radius"),
+        ("half-angle", "half_angle"),
         ("beta", "beta"),
         ("contact-radius", "contact_radius"),
         ("load", "load"),
@@ -163,42 +164,61 @@ fn changes_are_those_of_fits_with_other_values() {
     let whole = found(&less, &gel.free, |_| ()).estimates[0].value - here.estimates[0].value;
     let (change, step) = (of_poisson.changes[0], of_poisson.step);
     assert!(step == -0.01 && whole < 0.9 * change, "{change} {whole}");
-    // A half-space: Hertz's modulus is (1 - nu^2) 3/4 P / (sqrt(R) delta^3/2), so that 1 % of the radius is -0.5 % of the
-    // modulus, and of the penetrations -1.5 %.
+}
+
+/// On a half-space a change of 1 % has an effect in closed form.
+#[test]
+fn changes_are_those_of_hertz_and_sneddon() {
     let free = [Parameter::FilmModulus];
-    let mut hertz = Imagined::probe(Course::Approach, 0.0, &free);
-    let system = as_film(&hertz.truth.bodies);
-    let half_space = interp::HalfSpace {
-        solid: system.film,
-        ..system.without_film()
+    let mut imagined = Imagined::probe(Course::Approach, 0.0, &free);
+    let system = as_film(&imagined.truth.bodies);
+    let half_space = |probe: Probe| {
+        Bodies::half_space(interp::HalfSpace {
+            solid: system.film,
+            probe,
+            ..system.without_film()
+        })
     };
-    hertz.truth.bodies = Bodies::half_space(half_space);
-    hertz.truth.measurement.kind = Kind::LoadPenetration;
-    let experiment = hertz.measured(&hertz.exact(), 1);
-    let here = told(&experiment, &hertz.free);
-    let value = here.estimates[0].value;
-    let change = |quantity: Fixed| {
-        let one = here
-            .fixed_values
-            .iter()
-            .find(|one| one.quantity == quantity);
-        one.expect("listed").changes[0] / value
-    };
-    for (quantity, expected) in [
-        (Fixed::SphereRadius, -0.005),
-        (Fixed::Scale(Scale::Penetration), -0.015),
-        (Fixed::Scale(Scale::Load), 0.01),
-    ] {
-        let found = change(quantity);
-        assert!(
-            (found / expected - 1.0).abs() < 1e-3,
-            "{quantity:?}: {found}"
-        );
-    }
+    imagined.truth.measurement.kind = Kind::LoadPenetration;
+    let theta = 20_f64.to_radians();
+    let cone = Probe::Cone { half_angle: theta };
+    let (penetration, load) = (Fixed::Scale(Scale::Penetration), Fixed::Scale(Scale::Load));
     let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
-    let of_poisson = change(poisson);
-    let expected = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);
-    assert!((of_poisson / expected - 1.0).abs() < 1e-3, "{of_poisson}");
+    let of_poisson = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);
+    for (probe, expected) in [
+        // (1 - nu^2) 3/4 P / (sqrt(R) delta^3/2)
+        (
+            system.probe.clone(),
+            [(Fixed::SphereRadius, -0.005), (penetration, -0.015)],
+        ),
+        // (1 - nu^2) pi/2 P cot(theta) / delta^2
+        (
+            cone,
+            [
+                (
+                    Fixed::HalfAngle,
+                    -0.01 * theta / (theta.sin() * theta.cos()),
+                ),
+                (penetration, -0.02),
+            ],
+        ),
+    ] {
+        imagined.truth.bodies = half_space(probe);
+        let experiment = imagined.measured(&imagined.exact(), 1);
+        let here = told(&experiment, &imagined.free);
+        for (quantity, expected) in expected
+            .into_iter()
+            .chain([(load, 0.01), (poisson, of_poisson)])
+        {
+            let mut rows = here.fixed_values.iter();
+            let row = rows.find(|one| one.quantity == quantity).expect("listed");
+            let found = row.changes[0] / here.estimates[0].value;
+            assert!(
+                (found / expected - 1.0).abs() < 1e-3,
+                "{quantity:?}: {found}, not {expected}"
+            );
+        }
+    }
 }
 
 /// Force and deflection of one spring: the penetration does not depend on its stiffness, so that modulus

@@ -50,7 +50,7 @@ pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
         .or_else(of_layer);
     found.ok_or_else(|| {
         let text = format!(
-            "{name:?} is no value of a fit: give sphere_radius, substrate_modulus, substrate_poisson_ratio, beta, \
+            "{name:?} is no value of a fit: give sphere_radius, half_angle, substrate_modulus, substrate_poisson_ratio, beta, \
              contact_radius, penetration, height, load or contact_stiffness for the scale of what is read, or a parameter \
              that is not free, such as film_thickness"
         );

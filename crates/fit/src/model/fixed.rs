@@ -1,6 +1,7 @@
 //! The values of an experiment that a fit takes as given.
 
 use std::borrow::Cow;
+use std::f64::consts::FRAC_PI_2;
 
 use interp::{Elastic, Probe};
 
@@ -47,6 +48,8 @@ pub enum Fixed {
     Parameter(Parameter),
     /// The radius of the probe, m.
     SphereRadius,
+    /// The half-angle of a cone, rad.
+    HalfAngle,
     /// The factor `beta` of a contact stiffness.
     Beta,
     /// A factor on all readings of a quantity, which is 1.
@@ -82,6 +85,7 @@ impl Fixed {
         match self {
             Self::Parameter(parameter) => parameter.dimension(),
             Self::SphereRadius => Some(Dimension::Length),
+            Self::HalfAngle => Some(Dimension::Angle),
             Self::SubstrateModulus | Self::ReferenceModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
             Self::Beta
@@ -98,6 +102,7 @@ impl Fixed {
         match self {
             Self::Parameter(parameter) => parameter.name(),
             Self::SphereRadius => "sphere-radius".into(),
+            Self::HalfAngle => "half-angle".into(),
             Self::Beta => "beta".into(),
             Self::Scale(scale) => scale.name().into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
@@ -123,6 +128,7 @@ impl Fixed {
     pub fn parse(name: &str) -> Option<Self> {
         let all = [
             Self::SphereRadius,
+            Self::HalfAngle,
             Self::Beta,
             Self::SubstrateModulus,
             Self::SubstratePoissonRatio,
@@ -217,7 +223,7 @@ impl Experiment {
                         && !free.contains(parameter)
                         && self.why_without_effect(*parameter).is_none()
                 }
-                Fixed::SphereRadius => self.has_shape(false),
+                Fixed::SphereRadius | Fixed::HalfAngle => self.has_shape(false),
                 Fixed::Beta => true,
                 _ => !in_table,
             };
@@ -228,6 +234,7 @@ impl Experiment {
                     .is_some_and(|value| value.is_finite() && is_usual(value))
         };
         let mut all = self.quantities();
+        all.insert(1, Fixed::HalfAngle);
         all.extend(Scale::ALL.map(Fixed::Scale));
         all.retain(matters);
         all
@@ -258,6 +265,12 @@ impl Experiment {
             }
             Fixed::Parameter(parameter) => self.get(parameter),
             Fixed::SphereRadius => self.bodies.probe.radius(),
+            Fixed::HalfAngle => match self.bodies.probe {
+                Probe::Cone { half_angle }
+                | Probe::RoundedCone { half_angle, .. }
+                | Probe::FlatEndedCone { half_angle, .. } => Some(half_angle),
+                _ => None,
+            },
             Fixed::Beta => self
                 .measurement
                 .kind
@@ -275,7 +288,7 @@ impl Experiment {
     }
 
     /// Replaces a value that a fit takes as given. The contacts on layers are then needed as far as they are under the
-    /// new radius of the probe ([`Reach::of`]).
+    /// new shape of the probe ([`Reach::of`]).
     ///
     /// # Errors
     /// [`Error::Setting`] for a value that the measurement does not have; [`Error::Contact`] for a
@@ -299,6 +312,9 @@ impl Experiment {
             {
                 return wrong("above 0");
             }
+            (Fixed::HalfAngle, Some(_)) if !(value > 0.0 && value < FRAC_PI_2) => {
+                return wrong("above 0 and below pi/2 rad");
+            }
             (Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio, _)
                 if self.bodies.base().is_none() =>
             {
@@ -310,7 +326,7 @@ impl Experiment {
             _ => {}
         }
         self.replace_fixed(one, value)?;
-        if one == Fixed::SphereRadius {
+        if matches!(one, Fixed::SphereRadius | Fixed::HalfAngle) {
             self.bodies.reach = Reach::of(&self.measurement, &self.bodies.probe);
         }
         Ok(())
@@ -330,6 +346,14 @@ impl Experiment {
                 | Probe::FlatEndedCone { radius, .. } = &mut self.bodies.probe
                 {
                     *radius = value;
+                }
+            }
+            Fixed::HalfAngle => {
+                if let Probe::Cone { half_angle }
+                | Probe::RoundedCone { half_angle, .. }
+                | Probe::FlatEndedCone { half_angle, .. } = &mut self.bodies.probe
+                {
+                    *half_angle = value;
                 }
             }
             Fixed::SubstrateModulus | Fixed::ReferenceModulus => {

@@ -49,6 +49,8 @@ pub fn write(out: &mut String, fit: &Fit, experiments: &[Experiment], files: &[&
         let (unit, size) = if are_apart || matches!(one.quantity, Fixed::Scale(_)) {
             // A part of each value.
             ("%".to_owned(), 1e-2 * one.value)
+        } else if one.quantity == Fixed::HalfAngle {
+            ("deg".to_owned(), 1_f64.to_radians())
         } else {
             // That of a zero has the prefix of the error.
             scaled(one.quantity.unit(), one.value.abs().max(error))

@@ -70,7 +70,7 @@ def fit(
         The range of the attraction, m, for the warning about Tabor's parameter.
     known : mapping of str to float, optional
         Standard errors of values that are not free, in SI units, such as
-        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``substrate_modulus`` and
+        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``half_angle``, ``substrate_modulus`` and
         ``substrate_poisson_ratio``, and ``beta`` of a contact stiffness. ``{"load": 0.02}`` is a
         calibration by which all loads err together, by 2 %; ``contact_radius``,
         ``penetration``, ``height`` and ``contact_stiffness`` have one, too. The fit keeps the

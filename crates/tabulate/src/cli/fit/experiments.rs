@@ -30,7 +30,7 @@ pub struct KnownArguments {
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length)]
     pub stiffness: Option<f64>,
-    /// Value of a parameter, of sphere-radius, substrate-modulus or substrate-poisson-ratio, in SI units or with
+    /// Value of a parameter, of sphere-radius, half-angle, substrate-modulus or substrate-poisson-ratio, in SI units or with
     /// its unit: the fixed value, or where the fit starts if the parameter is free. NAME=VALUE,VALUE,... gives each
     /// file its own. It counts in place of the flag of the same name, wherever it stands
     #[arg(long = "value", value_name = "NAME=VALUE")]

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use ::fit::report::UnitOf;
 use ::fit::{Error, Experiment, Fixed, Free, Known, Parameter};
 use anyhow::{bail, ensure};
+use units::Dimension;
 
 use super::experiments::KnownArguments;
 use super::indentation::ReferenceArguments;
@@ -95,12 +96,14 @@ impl Given {
             (value.flag(), flags.fixed(value), given)
         });
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
+        let half_angle = flags.bodies.system.shape.half_angle.map(f64::to_radians);
         let of_sample = reference.own().map(|(quantity, value)| {
             let flag = format!("--{}", quantity.name());
             (flag, quantity, value)
         });
         let of_bodies = of_bodies.into_iter().chain(of_sample);
         for (flag, quantity, other) in of_bodies.chain([
+            ("--half-angle".to_owned(), Fixed::HalfAngle, half_angle),
             ("--stiffness".to_owned(), of_cantilever, flags.stiffness),
             ("--beta".to_owned(), Fixed::Beta, flags.indentation.beta),
         ]) {
@@ -128,7 +131,7 @@ impl FromStr for Given {
         let (name, known) = named(text, how)?;
         let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
-                "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
+                "{name:?} is no value of a fit: give sphere-radius, half-angle, substrate-modulus, \
                  substrate-poisson-ratio, reference-modulus, reference-poisson-ratio, beta, contact-radius, penetration, \
                  height, load or contact-stiffness for the scale of what is read, or a parameter that is not free, such as \
                  film-thickness"
@@ -137,6 +140,9 @@ impl FromStr for Given {
         let (value, error) = parts(known, how)?;
         let dimension = quantity.dimension();
         let is_given = !value.trim().is_empty();
+        for text in [value, error] {
+            accept_angle(text, dimension)?;
+        }
         let value = is_given.then(|| quantity::value(value, dimension));
         let error = match error.trim().strip_suffix('%') {
             Some(percent) => GivenError::Relative(quantity::number(percent.trim())? / 100.0),
@@ -158,11 +164,14 @@ impl FromStr for Values {
         let unknown = || {
             let error = Error::UnknownParameter(name.to_owned());
             format!(
-                "{error}; --value also takes sphere-radius, substrate-modulus, substrate-poisson-ratio and beta"
+                "{error}; --value also takes sphere-radius, half-angle, substrate-modulus, substrate-poisson-ratio and beta"
             )
         };
         let quantity = Fixed::parse(name).ok_or_else(unknown)?;
-        let value = |text| quantity::value(text, quantity.dimension());
+        let value = |text| {
+            accept_angle(text, quantity.dimension())?;
+            quantity::value(text, quantity.dimension())
+        };
         Ok(Self {
             quantity,
             values: values.split(',').map(value).collect::<Result<_, _>>()?,
@@ -188,6 +197,17 @@ pub fn prior(text: &str) -> Result<Pair, String> {
     let dimension = parameter.dimension();
     let both = [quantity::value(value, dimension)?, read(error, dimension)?];
     Ok((parameter, both))
+}
+
+/// Refuses an angle without a unit: degrees would be taken for radians.
+fn accept_angle(text: &str, dimension: Option<Dimension>) -> Result<(), String> {
+    let text = text.trim();
+    if dimension == Some(Dimension::Angle) && text.parse::<f64>().is_ok() {
+        return Err(format!(
+            "{text:?} is an angle without a unit: write {text}deg or {text}rad"
+        ));
+    }
+    Ok(())
 }
 
 /// Splits `VALUE+-ERROR`.
