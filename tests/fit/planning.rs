@@ -5,7 +5,8 @@ use fit::{Bodies, Direction, Experiment, Free, Kind, Parameter, WarningKind, for
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, LENS, assert_warned, fitted, free_of, lens, measurement_at,
+    Course, FORCE_CURVE, Imagined, LENS, assert_warned, fit_with, fitted, free_of, lens,
+    measurement_at,
 };
 
 /// Returns the experiments of all kinds and courses.
@@ -227,5 +228,41 @@ fn plans_of_curves_that_jump_off_have_the_errors_of_their_fits() {
         let ratio = expected.estimates[0].standard_error / errors[4];
         println!("{count}: {ratio:.2}");
         assert!((0.6..1.6).contains(&ratio), "{count} points: {ratio}");
+    }
+}
+
+/// A plan tells what calibrations and given values would do as a fit of exact data does.
+#[test]
+fn fixed_values_of_a_plan_are_those_of_a_fit() {
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let probe = Imagined::probe(Course::Approach, 0.0, &[FORCE_CURVE[0], FORCE_CURVE[2]]);
+    for imagined in [lens, probe] {
+        let mut planned = imagined.planned();
+        let told = fit_with(&planned, &imagined.free, |options| {
+            options.fixed_values = true;
+        });
+        let told = told.expect("sound");
+        // A plan does not use ordinates.
+        for point in &mut planned.measurement.points {
+            point.ordinate = 0.0;
+        }
+        let plan = forecast(Table::embedded(), &[planned], &imagined.free).expect("sound");
+        let count = told.fixed_values.len();
+        assert!(count > 7 && plan.fixed_values.len() == count);
+        for (plan, told_row) in plan.fixed_values.iter().zip(&told.fixed_values) {
+            assert_eq!(
+                (plan.quantity, plan.step),
+                (told_row.quantity, told_row.step)
+            );
+            let changes = plan.changes.iter().zip(&told_row.changes);
+            for ((planned, found), estimate) in changes.zip(&told.estimates) {
+                assert!(
+                    (planned - found).abs() < 1e-2 * found.abs() + 1e-3 * estimate.standard_error,
+                    "{:?}, {}: {planned:e}, not {found:e}",
+                    plan.quantity,
+                    estimate.parameter
+                );
+            }
+        }
     }
 }

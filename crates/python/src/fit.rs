@@ -8,8 +8,8 @@ use contact::magnitude::Magnitude;
 use fit::data::{Notes, opposite_sense};
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Combination, Direction, Estimate, Experiment, Fit, Free, Known, Loss, Measurement, Options,
-    Warning, WarningKind, WithoutFilm,
+    Combination, Direction, Estimate, Experiment, Fit, FixedValue, Free, Known, Loss, Measurement,
+    Options, Warning, WarningKind, WithoutFilm,
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -70,7 +70,14 @@ pub fn fit_together<'py>(
         "without_film",
         without_film(py, found.without_film.as_ref())?,
     )?;
-    let fixed_values = found.fixed_values.iter().map(|one| {
+    set_fixed_values(&result, &found.fixed_values)?;
+    result.set_item("undetermined", Combination::texts(&found.undetermined))?;
+    Ok(result)
+}
+
+/// Adds what values that are not free do to a result.
+pub fn set_fixed_values(result: &Bound<'_, PyDict>, values: &[FixedValue]) -> PyResult<()> {
+    let rows = values.iter().map(|one| {
         (
             one.quantity.identifier(),
             one.value,
@@ -80,9 +87,7 @@ pub fn fit_together<'py>(
             one.error,
         )
     });
-    result.set_item("fixed_values", fixed_values.collect::<Vec<_>>())?;
-    result.set_item("undetermined", Combination::texts(&found.undetermined))?;
-    Ok(result)
+    result.set_item("fixed_values", rows.collect::<Vec<_>>())
 }
 
 /// Fits each experiment by itself, on all cores. Returns a summary, or an exception, for each.

@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use crate::arrays::Output;
 use crate::error::{OrRaise as _, unknown};
 use crate::experiment::{Given, all, one};
-use crate::fit::{accept_magnitudes, estimates, warnings};
+use crate::fit::{accept_magnitudes, estimates, set_fixed_values, warnings};
 use crate::parameter::{GivenFree, frees, parameter};
 use crate::table::Table;
 
@@ -117,6 +117,7 @@ pub fn forecast<'py>(
     let fields = PyDict::new(py);
     fields.set_item("estimates", estimates(py, &found.estimates)?)?;
     fields.set_item("correlation", found.correlation)?;
+    set_fixed_values(&fields, &found.fixed_values)?;
     let undetermined = found.undetermined.into_iter().map(|one| {
         let parts = one.weights.iter().map(|&(estimate, _)| estimate);
         (one.text, parts.collect::<Vec<_>>())

@@ -125,6 +125,8 @@ def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
     )
     expected = json.loads(run.stdout)
     found = cc.forecast(plan, WANTED)
+    rows = {one.quantity: one.changes["sphere_modulus"] for one in found.fixed_values}
+    assert -0.045 < rows["contact_radius"] / plan.system.sphere_modulus < -0.03
     stderr = {name: one["stderr"] for name, one in expected["parameters"].items()}
     assert isinstance(found, cc.Forecast)
     assert (found.stderr, found.correlation.tolist()) == (stderr, expected["correlation"])

@@ -2,6 +2,7 @@
 
 use interp::Table;
 
+use super::fixed_values;
 use super::minima::search::{Beyond, ROUNDS, clear_branches};
 use super::problem::Problem;
 use super::problem::assigned::Assigned;
@@ -116,12 +117,26 @@ pub fn forecast(
         .filter_map(broken)
         .flatten()
         .collect();
+    read_as_predicted(&mut problem);
     Ok(Forecast {
+        fixed_values: fixed_values::effects(&problem, &uncertainty, &[], true),
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&problem.slot_names()),
         warnings,
         estimates,
     })
+}
+
+/// Takes what the model predicts for the readings.
+fn read_as_predicted(problem: &mut Problem<'_>) {
+    let predicted = problem.predicted.iter().flatten();
+    for (assigned, predicted) in problem.assigned.iter_mut().zip(predicted) {
+        let counting: Vec<usize> = assigned.counting_points().collect();
+        for i in counting {
+            let ordinate = assigned.experiment.ordinate_of(predicted.values[i]);
+            assigned.experiment.measurement.points[i].ordinate = ordinate;
+        }
+    }
 }
 
 /// Computes the uncertainty, which does not depend on the residuals.

@@ -492,6 +492,8 @@ pub struct Forecast {
     pub estimates: Vec<Estimate>,
     /// Their expected correlation matrix.
     pub correlation: Vec<Vec<f64>>,
+    /// What the values that are not free would do, if they are not quite the true ones.
+    pub fixed_values: Vec<FixedValue>,
     /// The combinations that the experiment would not determine.
     pub undetermined: Vec<Combination>,
     /// The assumptions of the model that its contacts would leave.

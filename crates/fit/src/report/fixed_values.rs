@@ -2,7 +2,7 @@
 
 use super::name::{NAME, name};
 use super::unit::{decimals_of_three, is_zero, scaled};
-use crate::{Estimate, Experiment, Fit, Fixed, FixedValue, Kind, Parameter};
+use crate::{Estimate, Experiment, Fixed, FixedValue, Kind, Parameter};
 
 /// The smallest width of a column.
 const COLUMN: usize = 10;
@@ -11,16 +11,21 @@ const MANY: f64 = 1e5;
 
 /// Writes a row for each given value, with the change of each estimate that follows from a change
 /// of the value, and below it what the rows do not say, and the errors that known values add.
-pub fn write(out: &mut String, fit: &Fit, experiments: &[Experiment], files: &[&str]) {
-    if fit.fixed_values.is_empty() {
+pub fn write(
+    out: &mut String,
+    (estimates, fixed_values): (&[Estimate], &[FixedValue]),
+    experiments: &[Experiment],
+    files: &[&str],
+) {
+    if fixed_values.is_empty() {
         return;
     }
-    let names: Vec<String> = fit.estimates.iter().map(|one| name(one, files)).collect();
+    let names: Vec<String> = estimates.iter().map(|one| name(one, files)).collect();
     let header = names.iter().map(|name| format!("  {name:>COLUMN$}"));
     let (header, width) = (header.collect::<String>(), 2 * NAME);
     *out += &format!("\n{:<width$}{header}\n", "what the fixed values do");
-    for one in &fit.fixed_values {
-        let cells = fit.estimates.iter().zip(&one.changes).zip(&names);
+    for one in fixed_values {
+        let cells = estimates.iter().zip(&one.changes).zip(&names);
         let cells = cells.map(|((estimate, change), name)| {
             format!(
                 "  {:>width$}",
@@ -34,16 +39,13 @@ pub fn write(out: &mut String, fit: &Fit, experiments: &[Experiment], files: &[&
     let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
     let are_forces =
         |one: &Experiment| one.measurement.kind == Kind::ForceHeight && !one.from_deflection;
-    if fit
-        .fixed_values
-        .iter()
-        .any(|one| one.quantity == of_cantilever)
+    if fixed_values.iter().any(|one| one.quantity == of_cantilever)
         && experiments.iter().any(are_forces)
     {
         *out += "(the row of stiffness leaves the loads as they were read: if they are the deflection times this stiffness, \
                  another stiffness multiplies them, too, and the rows of load and stiffness add up)\n";
     }
-    for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
+    for one in fixed_values.iter().filter(|one| one.error.is_some()) {
         let error = one.error.unwrap_or(0.0);
         let are_apart = !one.values.is_empty() && one.quantity.errs_in_proportion();
         let (unit, size) = if are_apart || matches!(one.quantity, Fixed::Scale(_)) {
@@ -58,7 +60,7 @@ pub fn write(out: &mut String, fit: &Fit, experiments: &[Experiment], files: &[&
         let known = plain(error / size);
         let parts = names.iter().enumerate().map(|(i, name)| {
             let error = one.error_of(i);
-            match scaled(fit.estimates[i].parameter.unit(), error) {
+            match scaled(estimates[i].parameter.unit(), error) {
                 (unit, _) if unit.is_empty() => format!("{error:.1e} of {name}"),
                 (unit, size) => format!("{:.2} {unit} of {name}", error / size),
             }

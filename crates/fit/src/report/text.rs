@@ -64,7 +64,8 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     if let Some(text) = film(fit, &experiments[0].bodies) {
         out += &format!("{text}\n");
     }
-    fixed_values::write(&mut out, fit, experiments, &files);
+    let found = (&*fit.estimates, &*fit.fixed_values);
+    fixed_values::write(&mut out, found, experiments, &files);
     undetermined(&mut out, &fit.undetermined);
     // A wrong sign explains other warnings.
     for (experiment, notes) in experiments.iter().zip(notes) {
@@ -76,11 +77,13 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     out
 }
 
-/// Returns the errors expected of a planned experiment.
-pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
+/// Returns the errors expected of planned `experiments`.
+pub fn expected(forecast: &Forecast, experiments: &[Experiment], units: &[UnitOf]) -> String {
     let mut out = String::from("expected\n");
     let correlation = &forecast.correlation;
     estimates(&mut out, &forecast.estimates, correlation, &[], units);
+    let found = (&*forecast.estimates, &*forecast.fixed_values);
+    fixed_values::write(&mut out, found, experiments, &[]);
     undetermined(&mut out, &forecast.undetermined);
     warned(&mut out, &forecast.warnings);
     out

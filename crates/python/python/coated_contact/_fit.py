@@ -70,9 +70,10 @@ def fit(
         The range of the attraction, m, for the warning about Tabor's parameter.
     known : mapping of str to float, optional
         Standard errors of values that are not free, in SI units, such as
-        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``half_angle``, ``substrate_modulus`` and
-        ``substrate_poisson_ratio``, and ``beta`` of a contact stiffness. ``{"load": 0.02}`` is a
-        calibration by which all loads err together, by 2 %; ``contact_radius``,
+        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``half_angle``,
+        ``substrate_modulus`` and ``substrate_poisson_ratio``, and ``beta`` of a contact
+        stiffness. ``{"load": 0.02}`` is a calibration by which all loads err together, by 2 %;
+        ``contact_radius``,
         ``penetration``, ``height`` and ``contact_stiffness`` have one, too. The fit keeps the
         values, and their errors add to the standard errors and the correlation: to the first
         order, independent of one another. Where experiments have different values, the error is
@@ -133,7 +134,7 @@ def fit(
         report=found["report"],
         without_film=film and without_film_of(film, len(found["experiments"])),
         undetermined=tuple(found["undetermined"]),
-        fixed_values=fixed_values_of(found),
+        fixed_values=fixed_values_of(found, len(found["experiments"])),
     )
 
 

@@ -421,6 +421,8 @@ class Forecast(OneLine):
         The combinations of parameters that the experiments would not determine, in words.
     stderr : dict of str to float
         The standard errors, in SI units, by name.
+    fixed_values : tuple of FixedValue
+        What values that are not free would do, if they are not quite the true ones.
     warnings : tuple of FitWarning
         The assumptions of the model that the contacts would leave: wide contacts, large strains,
         friction.
@@ -430,6 +432,7 @@ class Forecast(OneLine):
     correlation: Array
     undetermined: tuple[str, ...]
     stderr: dict[str, float]
+    fixed_values: tuple[FixedValue, ...] = field(repr=False)
     warnings: tuple[FitWarning, ...]
     # The names of the parameters in these combinations.
     _undetermined: frozenset[str] = field(repr=False)
@@ -477,10 +480,9 @@ def name_of(estimate: Estimate, experiments: int) -> str:
     return f"{estimate.parameter}[{estimate.experiment}]"
 
 
-def fixed_values_of(found: Mapping[str, Any]) -> tuple[FixedValue, ...]:
+def fixed_values_of(found: Mapping[str, Any], experiments: int) -> tuple[FixedValue, ...]:
     """Return what the values that are not free do, in a native result."""
-    estimates, experiments = estimates_of(found), len(found["experiments"])
-    names = [name_of(estimate, experiments) for estimate in estimates]
+    names = [name_of(estimate, experiments) for estimate in estimates_of(found)]
     return tuple(
         FixedValue(
             quantity, value, tuple(values), step, dict(zip(names, changes, strict=True)), error

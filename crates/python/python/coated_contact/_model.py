@@ -14,7 +14,14 @@ from ._arrays import integer, number
 from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, listed, one_of, unit_of
 from ._fit import Allowed, allowed_of, experiments_of, free_of, told_apart
-from ._fit_results import Forecast, correlation_of, estimates_of, name_of, warnings_of
+from ._fit_results import (
+    Forecast,
+    correlation_of,
+    estimates_of,
+    fixed_values_of,
+    name_of,
+    warnings_of,
+)
 from ._indentation import Indentation
 from ._table import Table, native_table
 from ._values import OneLine
@@ -245,6 +252,7 @@ def forecast(
         estimates=estimates,
         correlation=correlation_of(found),
         undetermined=tuple(dict.fromkeys(words for words, _ in found["undetermined"])),
+        fixed_values=fixed_values_of(found, len(given)),
         stderr={name: one.standard_error for name, one in zip(names, estimates, strict=True)},
         warnings=warnings_of(found),
         _undetermined=frozenset(names[i] for _, parts in found["undetermined"] for i in parts),

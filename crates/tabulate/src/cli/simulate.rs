@@ -18,7 +18,7 @@ use super::command_line::command_line;
 use super::fit::experiments::{KnownArguments, forget_shapes};
 use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise, abscissa_noise};
-use super::fit::object::{estimates, matrix, warning};
+use super::fit::object::{estimates, fixed_value, matrix, warning};
 use super::fit::reading::doubted;
 use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
@@ -47,8 +47,8 @@ use crate::table::scene::created_by;
 /// With --relaxation and --sample-interval the film relaxes; an approach from before the contact, a
 /// --hold and a retract have a column of times.
 ///
-/// With --expect it prints the standard errors that a fit of these data would find, before any
-/// measurement: change --points, --from, --to and --noise until they are small enough. Where the force
+/// With --expect it prints the standard errors that a fit of these data would find, and what 1 % of each value that
+/// is not free and of each calibration would do, before any measurement: change --points, --from, --to and --noise until they are small enough. Where the force
 /// jumps, a fit leaves out points near the jump, and its errors are larger.
 ///
 /// Either way, contacts outside the assumptions of the model are named: wide ones, large strains, and with --expect
@@ -119,7 +119,7 @@ pub struct Arguments {
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
     /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "undetermined": [what the data do not
-    /// determine], "warnings": [{"kind", "text"}]}. An infinite number is the text "inf" or "-inf", and one
+    /// determine], "fixed_values": as of `fit`, "warnings": [{"kind", "text"}]}. An infinite number is the text "inf" or "-inf", and one
     /// that is not known null
     #[arg(long, requires = "expect", conflicts_with = "loss_tangent")]
     json: bool,
@@ -294,7 +294,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return if arguments.json {
             json::print(&object(&expected))
         } else {
-            output.write(report::expected(&expected, &arguments.units).as_bytes())
+            output.write(report::expected(&expected, &experiments, &arguments.units).as_bytes())
         };
     }
     ensure!(
@@ -381,6 +381,7 @@ fn object(expected: &Forecast) -> Value {
         "correlation": matrix(&expected.correlation),
         // The parameters that the data would not determine, alone or apart from one another.
         "undetermined": Combination::texts(&expected.undetermined),
+        "fixed_values": expected.fixed_values.iter().map(fixed_value).collect::<Value>(),
         "warnings": expected.warnings.iter().map(warning).collect::<Value>(),
     })
 }

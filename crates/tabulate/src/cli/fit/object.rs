@@ -112,7 +112,7 @@ fn without_film(without: &WithoutFilm, files: usize) -> Value {
 }
 
 /// Returns what a value taken as given does.
-fn fixed_value(one: &FixedValue) -> Value {
+pub fn fixed_value(one: &FixedValue) -> Value {
     let values = (!one.values.is_empty()).then(|| numbers(&one.values));
     let object = json!({
         "name": one.quantity.identifier(),
