@@ -355,7 +355,7 @@ fn each_file_may_have_a_sphere_and_a_substrate_of_its_own() {
     workdir.refuses(format!(
         "1 | {of_two} --substrate-modulus inf {rigid} | --substrate-poisson-ratio is missing
          1 | {alone} substrate-modulus=70GPa | --substrate-poisson-ratio is missing
-         2 | {alone} sphere_radius=1mm | the parameters are; --value also takes sphere-radius, substrate-modulus
+         2 | {alone} sphere_radius=1mm | the parameters are; --value also takes sphere-radius, half-angle, substrate-modulus
          1 | fit small.csv --half-space --specimen paper --value substrate-modulus=1MPa | a half-space has no substrate"
     ));
 

@@ -44,7 +44,13 @@ fn a_plan_outside_the_model_is_warned_of() {
     assert_names(&workdir.answer(wide).stderr, words);
     assert_names(&workdir.succeed(format!("{wide} --expect")), words);
     let object = workdir.json(format!("{wide} --expect --json"));
-    assert_eq!(kinds(&object), ["large-contact", "large-strain"]);
+    let expected = [
+        "calibration",
+        "calibration",
+        "large-contact",
+        "large-strain",
+    ];
+    assert_eq!(kinds(&object), expected);
     let narrow = format!("{LENS} --specimen paper --noise 5uN");
     assert_eq!(workdir.run(&*narrow).stderr, "");
     let object = workdir.json(format!("{narrow} --expect --json"));

@@ -4,16 +4,21 @@
 use acceptance::{Contacts, Refused, assert_names};
 use fit::{
     Bodies, Experiment, Fit, Fixed, Free, Kind, Known, LayerQuantity, Loss, Options, Parameter,
-    Scale, simulate,
+    Scale, WarningKind, simulate,
 };
 use interp::{Probe, Table};
 use rayon::prelude::*;
 
 use crate::contact_stiffness::{at_radii, noisy, oxide};
-use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, as_film, film, fit_with, free_of};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, LENS, as_film, assert_silent, assert_warns, film, fit_with,
+    free_of,
+};
 use crate::recovery::{SETS, assert_coverage};
 
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
+const POISSON: Fixed = Fixed::Parameter(Parameter::FilmPoissonRatio);
+const RADII: Fixed = Fixed::Scale(Scale::ContactRadius);
 
 /// Every name that a message or a result shows is one that `--known` and `Known` take. Identifiers keep the names of layers.
 #[test]
@@ -183,7 +188,6 @@ fn changes_are_those_of_hertz_and_sneddon() {
     let theta = 20_f64.to_radians();
     let cone = Probe::Cone { half_angle: theta };
     let (penetration, load) = (Fixed::Scale(Scale::Penetration), Fixed::Scale(Scale::Load));
-    let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
     let of_poisson = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);
     for (probe, expected) in [
         // (1 - nu^2) 3/4 P / (sqrt(R) delta^3/2)
@@ -208,7 +212,7 @@ fn changes_are_those_of_hertz_and_sneddon() {
         let here = told(&experiment, &imagined.free);
         for (quantity, expected) in expected
             .into_iter()
-            .chain([(load, 0.01), (poisson, of_poisson)])
+            .chain([(load, 0.01), (POISSON, of_poisson)])
         {
             let mut rows = here.fixed_values.iter();
             let row = rows.find(|one| one.quantity == quantity).expect("listed");
@@ -250,13 +254,47 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
     fit_with(&experiment, &free, |_| ()).refused("stiffness; deflection; standard error");
 }
 
+/// A film below a sphere that is known: its part of the compliance is small, so that a calibration of 1 % decides. A known
+/// error is in the standard error.
+#[test]
+fn a_value_that_a_calibration_decides_is_doubted() {
+    let free = [Parameter::FilmModulus, LENS[1]];
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &free);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let here = told(&experiment, &lens.free);
+    let words = "film-modulus changes by -59 % with +1 % of contact-radius, and by more than 10 % with sphere-radius, load, \
+                 sphere-modulus, film-poisson-ratio; unless";
+    assert_warns(&here, WarningKind::Calibration, words);
+    let rows = here.fixed_values.iter();
+    let row = rows
+        .clone()
+        .find(|one| one.quantity == RADII)
+        .expect("listed");
+    let known: Vec<Known> = rows
+        .filter(|one| one.quantity.errs_in_proportion() || one.quantity == POISSON)
+        .map(|one| Known {
+            quantity: one.quantity,
+            error: 0.01 * one.value,
+        })
+        .collect();
+    let all = found(&experiment, &lens.free, |options| {
+        options.fixed_values = true;
+        options.known = known;
+    });
+    assert_silent(&all, WarningKind::Calibration);
+    assert!(all.estimates[0].standard_error > row.changes[0].abs());
+    // The modulus of the sphere is not decided by 1 %.
+    let free = [LENS[0], LENS[1]];
+    let whole = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &free);
+    assert_silent(&told(&experiment, &whole.free), WarningKind::Calibration);
+}
+
 #[test]
 fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
     let here = told(&experiment, &lens.free);
-    let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
-    let one = here.fixed_values.iter().find(|one| one.quantity == poisson);
+    let one = here.fixed_values.iter().find(|one| one.quantity == POISSON);
     let one = one.expect("listed");
     assert_eq!((one.value, one.step), (0.5, -0.01));
     let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
@@ -270,7 +308,7 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     film.solid = acceptance::solid(film.solid.young(), 0.495);
     let near = told(&near.measured(&near.exact(), 1), &lens.free);
     let mut values = near.fixed_values.iter();
-    let one = values.find(|one| one.quantity == poisson);
+    let one = values.find(|one| one.quantity == POISSON);
     assert_eq!(one.map(|one| (one.value, one.step)), Some((0.495, -0.01)));
     // Nothing is computed where nobody asks.
     let quiet = found(&experiment, &lens.free, |_| ());

@@ -15,7 +15,7 @@ use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
 use super::result::each_once;
 use crate::model::contacts_of;
-use crate::{Error, Experiment, Fit, Fixed, FixedValue, Known};
+use crate::{Error, Experiment, Fit, Fixed, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
 const STEP: f64 = 0.01;
@@ -24,6 +24,33 @@ const STEP: f64 = 0.01;
 const PART: f64 = 0.01;
 /// The ratio of two singular values at which a direction does not respond.
 const SINGULAR: f64 = 1e-9;
+
+/// What a value that the fit takes as given does to the values found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixedValue {
+    /// The value taken as given.
+    pub quantity: Fixed,
+    /// The number, in SI units: that of the first measurement, if they differ.
+    pub value: f64,
+    /// The numbers of all measurements that have one, in their order, if they differ; else empty.
+    pub values: Vec<f64>,
+    /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading. Where the
+    /// value is at the end of what is possible, as a Poisson ratio of 0.5, it goes to the other side.
+    pub step: f64,
+    /// The change of each estimate that follows, in SI units and in their order: to the first order, as
+    /// if the effect of a small change grew in proportion. NaN where the change leads to no contact.
+    pub changes: Vec<f64>,
+    /// The standard error of the value, if it is [`Known`](crate::Known).
+    pub error: Option<f64>,
+}
+
+impl FixedValue {
+    /// Returns the standard error of an estimate that follows from that of the value; 0 without one.
+    pub fn error_of(&self, estimate: usize) -> f64 {
+        let by = |error: f64| (self.changes[estimate] / self.step).abs() * error;
+        self.error.map_or(0.0, by)
+    }
+}
 
 /// Accepts what is known of given values.
 pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> Result<(), Error> {

@@ -9,7 +9,7 @@ use super::problem::assigned::Assigned;
 use super::problem::few::hold_back;
 use super::problem::slot::slots;
 use super::problem::uncertainty::{Uncertainty, estimates};
-use super::warnings::assumptions;
+use super::warnings::{assumptions, calibration};
 use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
 /// Computes the standard errors that a planned experiment would give.
@@ -113,17 +113,18 @@ pub fn forecast(
     let estimates = estimates(&problem, Some(&uncertainty));
     let range = Options::default().interaction_range;
     let broken = |e| assumptions::of_problem(&problem, e, range, &estimates);
-    let warnings = (0..problem.assigned.len())
-        .filter_map(broken)
-        .flatten()
-        .collect();
+    let broken = (0..problem.assigned.len()).filter_map(broken).flatten();
+    let broken: Vec<_> = broken.collect();
     read_as_predicted(&mut problem);
+    let fixed_values = fixed_values::effects(&problem, &uncertainty, &[], true);
+    let mut warnings: Vec<_> = calibration::doubts(&estimates, &fixed_values).collect();
+    warnings.extend(broken);
     Ok(Forecast {
-        fixed_values: fixed_values::effects(&problem, &uncertainty, &[], true),
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&problem.slot_names()),
         warnings,
         estimates,
+        fixed_values,
     })
 }
 

@@ -18,13 +18,14 @@ mod start;
 mod warnings;
 mod without_film;
 
+pub use fixed_values::FixedValue;
 pub use forecast::forecast;
 pub(crate) use left_out::text as left_out_text;
 pub use likelihood::Likelihood;
 pub(crate) use problem::uncertainty::UNDETERMINED;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue,
-    Forecast, LeftOut, LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Forecast, LeftOut,
+    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
 pub use start::starts_from_data;

@@ -1,6 +1,6 @@
 //! The result of a fit.
 
-use crate::{Branch, Fixed, Loss, LossAngle, Parameter, Prior};
+use crate::{Branch, FixedValue, Loss, LossAngle, Parameter, Prior};
 
 /// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -258,33 +258,6 @@ impl FittedPoint {
     }
 }
 
-/// What a value that the fit takes as given does to the values found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FixedValue {
-    /// The value taken as given.
-    pub quantity: Fixed,
-    /// The number, in SI units: that of the first measurement, if they differ.
-    pub value: f64,
-    /// The numbers of all measurements that have one, in their order, if they differ; else empty.
-    pub values: Vec<f64>,
-    /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading. Where the
-    /// value is at the end of what is possible, as a Poisson ratio of 0.5, it goes to the other side.
-    pub step: f64,
-    /// The change of each estimate that follows, in SI units and in their order: to the first order, as
-    /// if the effect of a small change grew in proportion. NaN where the change leads to no contact.
-    pub changes: Vec<f64>,
-    /// The standard error of the value, if it is [`Known`](crate::Known).
-    pub error: Option<f64>,
-}
-
-impl FixedValue {
-    /// Returns the standard error of an estimate that follows from that of the value; 0 without one.
-    pub fn error_of(&self, estimate: usize) -> f64 {
-        let by = |error: f64| (self.changes[estimate] / self.step).abs() * error;
-        self.error.map_or(0.0, by)
-    }
-}
-
 /// The same data, fitted without the film by JKR, or by Hertz without adhesion.
 ///
 /// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
@@ -442,6 +415,8 @@ named! {
         /// A modulus that takes a film as bonded, and would be another one by more than its standard
         /// error if the film slid.
         AssumesBonding = "assumes-bonding",
+        /// A value that changes by more than a tenth with 1 % of a value taken as given or of a calibration.
+        Calibration = "calibration",
         /// The fit was stopped by the end of the table.
         EndOfTable = "end-of-table",
         /// A table whose error is not small beside the noise.

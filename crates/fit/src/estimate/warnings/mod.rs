@@ -2,6 +2,7 @@
 
 pub(super) mod agreement;
 pub(super) mod assumptions;
+pub(super) mod calibration;
 pub(super) mod cycle;
 pub(super) mod detector;
 pub(super) mod friction;

@@ -6,6 +6,7 @@ use contact::magnitude::LARGEST_WORK;
 
 use super::agreement;
 use super::assumptions;
+use super::calibration;
 use super::cycle;
 use super::indentation;
 use super::interfaces;
@@ -85,6 +86,7 @@ pub(crate) fn warnings(
             Validity::WARNING_A_OVER_R,
         ));
     }
+    warnings.extend(calibration::doubts(&fit.estimates, &fit.fixed_values));
     for (e, whole) in data.iter().enumerate() {
         let range = options.interaction_range;
         let broken = assumptions::of_problem(problem, e, range, &fit.estimates);

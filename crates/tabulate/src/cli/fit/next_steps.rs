@@ -60,6 +60,10 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             WarningKind::ZeroNotSeen,
             "the zero of the load: --known load-offset=0+-ERROR, or --free ...,load-offset with points off contact",
         ),
+        (
+            WarningKind::Calibration,
+            "the error of a given value or of a calibration: --known film-thickness=+-1%, --known contact-radius=+-0.5%",
+        ),
         (WarningKind::SpringWanted, spring),
         (
             WarningKind::PullNotSeen,
