@@ -139,5 +139,5 @@ def test_a_plan_outside_the_model_is_told_as_its_fit_is() -> None:
     )
     expected = cc.forecast(plan, WANTED)
     kinds = [warning.kind for warning in expected.warnings]
-    assert kinds == ["large-contact", "large-strain"]
+    assert kinds == ["calibration", "calibration", "large-contact", "large-strain"]
     assert "a/R reaches 0.40" in expected._repr_html_()
