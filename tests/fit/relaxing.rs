@@ -292,20 +292,27 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     assert!(found(&with_base(2e4, true)).is_ok());
 }
 
-/// A spring that stops suddenly relaxes in much less than a step where the law nearly flows.
+/// A spring that stops suddenly relaxes in much less than a step where the law nearly flows. The level of the readings, in
+/// largest loads, does not matter.
 #[test]
 fn steps_that_are_seen_beside_the_noise_are_told() {
     let time = 1e-3;
-    let warns = |exponent: f64, noise: f64| {
+    let warns = |exponent: f64, noise: f64, level: f64| {
         let law = Relaxation::PowerLaw { exponent, time };
         let plan = planned(Kind::ForceHeight, 5e-6, &law, 1.0);
         let mut data = measured(&plan, 3);
+        data.baseline = level * 100.0 * data.noise.expect("a noise");
+        for point in &mut data.measurement.points {
+            point.ordinate += data.baseline;
+        }
         data.noise = Some(noise * data.noise.expect("a noise"));
         let fit = fit_all(&[data], &[Free::new(FilmModulus)]).expect("a fit");
         fit.warns_of(WarningKind::Steps)
     };
-    assert!(warns(0.9, 0.1));
-    assert!(!warns(0.2, 1.0));
+    for level in [0.0, 1e3] {
+        assert!(warns(0.9, 0.1, level));
+        assert!(!warns(0.2, 1.0, level));
+    }
 }
 
 #[test]
