@@ -13,9 +13,9 @@ use rand_pcg::Pcg64Mcg;
 use crate::recovery::{SETS, assert_recovers};
 
 use Parameter::{Baseline, ContactPoint, FilmModulus, Law};
-use contact::LawParameter::{Exponent, RelaxedFraction, Time};
+use contact::LawParameter::{Exponent, RelaxedFraction, Time, Weight};
 
-use crate::imagined::{fit_all, fit_with, free_of, measurement, off, text};
+use crate::imagined::{assert_silent, fit_all, fit_with, free_of, measurement, off, text};
 
 /// What a curve tells of a gel that relaxes by a power law, and by a standard linear solid.
 pub const POWER_LAW: [Parameter; 3] = [FilmModulus, Law(Exponent), ContactPoint];
@@ -208,6 +208,33 @@ fn solids_are_recovered() {
     // Its time is below two intervals in some sets, and in two of 200 chi^2 is not quite a parabola.
     let expected = [WarningKind::RelaxationTime, WarningKind::NonlinearError];
     recover("modified power law", &[plan], &free, 106, &expected);
+}
+
+/// Whichever of two times is given, the other one is found.
+#[test]
+fn one_of_two_relaxation_times_is_found_beside_the_other() {
+    for (short, long) in [(0.04, 0.55), (0.06, 0.6), (0.1, 1.0)] {
+        let law = prony(0.3, vec![[0.4, short], [0.3, long]]);
+        let plan = planned(Kind::LoadPenetration, 1e-5, &law, 0.5);
+        for found in [0, 1] {
+            let free = [
+                FilmModulus,
+                Law(RelaxedFraction),
+                Law(Time(found)),
+                Law(Weight(1)),
+                ContactPoint,
+            ];
+            let time = [short, long][found];
+            for seed in 0..8 {
+                let mut data = noisy(&plan, seed);
+                data.contact_point = 0.0;
+                let fit = fit_all(&[data], &free_of(&free)).expect("sound");
+                let away = off(&fit, Law(Time(found)), time);
+                assert!(fit.converged && away.abs() < 4.0, "{found} {seed}: {fit:?}");
+                assert_silent(&fit, WarningKind::PoorFit);
+            }
+        }
+    }
 }
 
 #[test]
