@@ -44,20 +44,62 @@ fn off(found: &Fit) -> f64 {
     off_by(found, Parameter::FilmModulus, 2e4)
 }
 
+/// Also where all points are well in contact.
 #[test]
 fn a_force_that_is_added_to_all_changes_the_baseline_alone() {
-    let hertz = hertz([300, 300]);
-    let measured = hertz.measured(&hertz.exact(), 3);
-    let here = fitted(&measured, &hertz.free);
-    for level in [-1e-6, -3e-9, 1e-9, 1e-8, 1e-7] {
-        let found = fitted(&changed(&measured, |_, _| level), &hertz.free);
-        let moved = off(&found) - off(&here);
-        assert!(moved.abs() < 0.01, "{level}: {found:?}");
-        let [here, there] =
-            [&here, &found].map(|fit| fit.estimate(Parameter::Baseline).expect("free"));
-        let error = there.value - level - here.value;
-        assert!(error.abs() < 0.01 * here.standard_error, "{level}: {error}");
+    for (apart, least_radius) in [(300, 1e-7), (0, 2e-6)] {
+        let mut hertz = hertz([300, apart]);
+        hertz.radii[0] = least_radius;
+        let measured = hertz.measured(&hertz.exact(), 3);
+        let here = fitted(&measured, &hertz.free);
+        for level in [-1e-6, -3e-9, 1e-9, 1e-8, 1e-7] {
+            let found = fitted(&changed(&measured, |_, _| level), &hertz.free);
+            let moved = off(&found) - off(&here);
+            assert!(moved.abs() < 0.01, "{apart}, {level}: {found:?}");
+            let [here, there] =
+                [&here, &found].map(|fit| fit.estimate(Parameter::Baseline).expect("free"));
+            let error = there.value - level - here.value;
+            let is_small = error.abs() < 0.01 * here.standard_error;
+            assert!(is_small, "{apart}, {level}: {error}");
+        }
     }
+}
+
+/// Gels without adhesion, whose work of adhesion is free and ends at 0. How far beyond rounding it ends, which a level of the
+/// readings changes, does not matter for the errors of the others: they are those beside a work that is fixed at 0, but for
+/// points where the contact begins, which are left out.
+#[test]
+fn errors_beside_a_work_of_adhesion_that_ended_at_zero_are_those_without_adhesion() {
+    let hertz = hertz([150, 60]);
+    let exact = hertz.exact();
+    let error = |fit: &Fit| {
+        fit.estimate(Parameter::FilmModulus)
+            .map(|one| one.standard_error)
+    };
+    let error = |fit: &Fit| error(fit).expect("free");
+    let mut ended = 0;
+    for seed in 0..12 {
+        let measured = hertz.measured(&exact, seed);
+        let with_adhesion = |level: f64| {
+            let found = fitted(&changed(&measured, |_, _| level), &free_of(&FORCE_CURVE));
+            found.warns_of(WarningKind::AtBound).then_some(found)
+        };
+        let found = [-1e-6, 0.0, 3e-7].map(with_adhesion);
+        let without = error(&fitted(&measured, &hertz.free));
+        let mut found = found.iter().flatten();
+        let first = found.clone().next().map(error);
+        ended += found.clone().count();
+        found
+            .clone()
+            .for_each(|one| assert_silent(one, WarningKind::SeveralMinima));
+        let is_right = |error: f64| {
+            let is_first = first.is_some_and(|first| (error / first - 1.0).abs() < 1e-3);
+            is_first && (error / without - 1.0).abs() < 0.1
+        };
+        let are_right = found.all(|one| is_right(error(one)));
+        assert!(are_right, "{seed}: {first:?} {without}");
+    }
+    assert!(ended > 9, "{ended}");
 }
 
 /// A baseline that is tilted, with a slope that is free, is told from an adhesive contact.
@@ -275,8 +317,9 @@ fn the_largest_tension_at_the_end_of_a_retract_is_doubted() {
         let found = fitted(0, seed, &FORCE_CURVE);
         let words = "baseline; -1.; may be the largest tension; keep the baseline fixed at 0";
         assert_warns(&found, WarningKind::ZeroNotSeen, words);
-        // It is 1.9e-7 N.
-        assert!(off_by(&found, Parameter::WorkOfAdhesion, 2e-3) < -5.0);
+        // It is 1.9e-7 N. Of the work of adhesion less than a fifth is found.
+        let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
+        assert!(work.value < 4e-4, "{work:?}");
         let found = fitted(0, seed, &FORCE_CURVE[..3]);
         let words = "no point is off contact; 1 % of the largest load; free baseline";
         assert_warns(&found, WarningKind::ZeroNotSeen, words);

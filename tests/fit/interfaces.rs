@@ -1,12 +1,12 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
-use acceptance::{Refused, assert_names, solid, springs};
-use fit::{Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
+use acceptance::{Refused, assert_names, rigid_sphere, solid, springs};
+use fit::{Bodies, Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
 use interp::{System, Table};
 use solve::solve_stack;
 use solve::stack::{Interface, Stack};
 
-use crate::imagined::{Imagined, as_film, assert_silent};
+use crate::imagined::{Imagined, as_film, assert_silent, fitted};
 use crate::layers::{fit_of, layer, modulus_of, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
@@ -125,6 +125,22 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
     set(&mut thick, Interface::Bonded, |of| of.film_thickness = 0.1);
     let found = fit_of(thick.measured(&thick.exact(), 0), &thick);
     assert_silent(&found, WarningKind::AssumesBonding);
+}
+
+/// No stack of such a contrast is solved, and the base is as good as rigid.
+#[test]
+fn the_softest_films_on_glass_have_the_doubts_of_those_on_a_rigid_base() {
+    let told = |base: f64| {
+        let free = [Parameter::FilmModulus];
+        let mut soft = Imagined::lens(Kind::LoadRadius, 1e-4, 1e-9, &free);
+        let film = rigid_sphere(1e-3, [50.0, 0.5], 1e-4, [base, 0.25]);
+        soft.truth.bodies = Bodies::coated(&film);
+        soft.truth.work_of_adhesion = 0.0;
+        let found = fitted(&soft.measured(&soft.exact(), 0), &soft.free);
+        [WarningKind::AssumesBonding, WarningKind::Friction]
+            .map(|kind| only(&found, kind).to_owned())
+    };
+    assert_eq!(told(7e10), told(INFINITY));
 }
 
 /// The errors of a plan are those at the planned value, and a bonded or sliding film has none.

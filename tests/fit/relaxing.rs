@@ -13,9 +13,9 @@ use rand_pcg::Pcg64Mcg;
 use crate::recovery::{SETS, assert_recovers};
 
 use Parameter::{Baseline, ContactPoint, FilmModulus, Law};
-use contact::LawParameter::{Exponent, RelaxedFraction, Time};
+use contact::LawParameter::{Exponent, RelaxedFraction, Time, Weight};
 
-use crate::imagined::{fit_all, fit_with, free_of, measurement, off, text};
+use crate::imagined::{assert_silent, fit_all, fit_with, free_of, measurement, off, text};
 
 /// What a curve tells of a gel that relaxes by a power law, and by a standard linear solid.
 pub const POWER_LAW: [Parameter; 3] = [FilmModulus, Law(Exponent), ContactPoint];
@@ -210,6 +210,33 @@ fn solids_are_recovered() {
     recover("modified power law", &[plan], &free, 106, &expected);
 }
 
+/// Whichever of two times is given, the other one is found.
+#[test]
+fn one_of_two_relaxation_times_is_found_beside_the_other() {
+    for (short, long) in [(0.04, 0.55), (0.06, 0.6), (0.1, 1.0)] {
+        let law = prony(0.3, vec![[0.4, short], [0.3, long]]);
+        let plan = planned(Kind::LoadPenetration, 1e-5, &law, 0.5);
+        for found in [0, 1] {
+            let free = [
+                FilmModulus,
+                Law(RelaxedFraction),
+                Law(Time(found)),
+                Law(Weight(1)),
+                ContactPoint,
+            ];
+            let time = [short, long][found];
+            for seed in 0..8 {
+                let mut data = noisy(&plan, seed);
+                data.contact_point = 0.0;
+                let fit = fit_all(&[data], &free_of(&free)).expect("sound");
+                let away = off(&fit, Law(Time(found)), time);
+                assert!(fit.converged && away.abs() < 4.0, "{found} {seed}: {fit:?}");
+                assert_silent(&fit, WarningKind::PoorFit);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_baseline_far_from_zero_is_found_and_contact_is_not_taken_for_it() {
     let free = [FilmModulus, Law(Exponent), ContactPoint, Baseline];
@@ -292,20 +319,27 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     assert!(found(&with_base(2e4, true)).is_ok());
 }
 
-/// A spring that stops suddenly relaxes in much less than a step where the law nearly flows.
+/// A spring that stops suddenly relaxes in much less than a step where the law nearly flows. The level of the readings, in
+/// largest loads, does not matter.
 #[test]
 fn steps_that_are_seen_beside_the_noise_are_told() {
     let time = 1e-3;
-    let warns = |exponent: f64, noise: f64| {
+    let warns = |exponent: f64, noise: f64, level: f64| {
         let law = Relaxation::PowerLaw { exponent, time };
         let plan = planned(Kind::ForceHeight, 5e-6, &law, 1.0);
         let mut data = measured(&plan, 3);
+        data.baseline = level * 100.0 * data.noise.expect("a noise");
+        for point in &mut data.measurement.points {
+            point.ordinate += data.baseline;
+        }
         data.noise = Some(noise * data.noise.expect("a noise"));
         let fit = fit_all(&[data], &[Free::new(FilmModulus)]).expect("a fit");
         fit.warns_of(WarningKind::Steps)
     };
-    assert!(warns(0.9, 0.1));
-    assert!(!warns(0.2, 1.0));
+    for level in [0.0, 1e3] {
+        assert!(warns(0.9, 0.1, level));
+        assert!(!warns(0.2, 1.0, level));
+    }
 }
 
 #[test]

@@ -119,7 +119,7 @@ pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>,
     let largest = fit.experiments[e]
         .points
         .iter()
-        .filter_map(|point| point.fit);
+        .filter_map(|point| Some(point.fit? - experiment.baseline_at(point.abscissa)));
     let steps = found.steps_error * largest.fold(0.0, |most: f64, load| most.max(load.abs()));
     if steps > SEEN * fit.experiments[e].noise {
         warnings.push(WarningKind::Steps.with(format!(

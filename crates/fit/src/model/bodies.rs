@@ -2,7 +2,7 @@
 
 use contact::{Contact, Input, Validity};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
-use solve::stack::Stack;
+use solve::stack::{LARGEST_CONTRAST, Layer, Stack};
 
 use super::{
     Interrupt, LayerName, LayerQuantity, Measurement, NamedLayer, Parameter, Reach, Solver,
@@ -94,8 +94,25 @@ impl Bodies {
     /// # Errors
     /// Those of [`Stack::new`].
     pub fn stack(&self) -> Result<Stack, solve::Error> {
-        let layers = self.layers.iter().map(|named| named.layer);
-        Stack::new(self.base, layers.collect::<Vec<_>>())
+        Stack::new(self.base, self.plain_layers())
+    }
+
+    /// Returns the layers as [`Self::stack`] does, on a rigid base where the base is too stiff beside one of them for a stack:
+    /// at this contrast no contact tells one from the other. `None` where they are no stack.
+    pub(crate) fn stack_or_on_rigid(&self) -> Option<Stack> {
+        let layers = self.plain_layers();
+        let moduli = layers.iter().map(|layer| layer.solid.young());
+        let softest = moduli.fold(f64::INFINITY, f64::min);
+        let base = if self.base.young() > LARGEST_CONTRAST * softest {
+            Elastic::new(f64::INFINITY, self.base.poisson()).ok()?
+        } else {
+            self.base
+        };
+        Stack::new(base, layers).ok()
+    }
+
+    fn plain_layers(&self) -> Vec<Layer> {
+        self.layers.iter().map(|named| named.layer).collect()
     }
 
     /// Returns the film on its substrate; `None` of other bodies.

@@ -1,6 +1,7 @@
 //! A minimum, and how far the data tell it from others.
 
 use super::valley::Bend;
+use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::uncertainty::Uncertainty;
 use crate::estimate::problem::{Ending, Problem};
 
@@ -32,6 +33,7 @@ impl<'a> Minimum<'a> {
 
     /// Takes the minimum of a problem, which has failed where there are no derivatives.
     pub fn new(mut problem: Problem<'a>, uncertainty: Option<Uncertainty>) -> Self {
+        let uncertainty = no_adhesion::uncertainty(&problem).or(uncertainty);
         if uncertainty.is_none() {
             problem.ending = Ending::Failed;
         }

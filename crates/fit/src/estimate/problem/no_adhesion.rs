@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use contact::Contact;
 
 use super::problem::Problem;
+use super::uncertainty::Uncertainty;
 use crate::{Experiment, Kind, Warning, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
@@ -56,6 +57,25 @@ pub(crate) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
     (0..problem.slots.len()).filter(is_at_zero).collect()
 }
 
+/// Returns the uncertainty where works of adhesion ended at 0; `None` where none did. They are held there, as if they were
+/// fixed. Their own errors are those of works that change next to nothing: where rounding hides a work, it hides its
+/// derivatives, too.
+pub(crate) fn uncertainty(problem: &Problem<'_>) -> Option<Uncertainty> {
+    /// The part of [`NO_ADHESION`] by which they change a load.
+    const NEXT_TO_NOTHING: f64 = 0.1;
+    let ended = ended_at_zero(problem);
+    let mut place = problem.clone();
+    for &slot in &ended {
+        let work = work_of_part(problem, slot, NEXT_TO_NOTHING * NO_ADHESION)?;
+        let work = work.max(problem.value(slot));
+        place.x[slot] = problem.slots[slot].coordinate.of(work);
+    }
+    if ended.is_empty() || place.update().is_err() {
+        return None;
+    }
+    Some(Uncertainty::of(&place)?.holding(&ended))
+}
+
 /// Warns of works of adhesion that ended at 0. Returns their slots.
 pub(crate) fn add(
     warnings: &mut Vec<Warning>,
@@ -67,8 +87,8 @@ pub(crate) fn add(
         let (name, value) = (&names[i], problem.value(i));
         warnings.push(WarningKind::AtBound.with(format!(
             "{name} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
-             show no adhesion, and neither its standard error nor those of the other parameters \
-             hold there; fix it at 0, give it a prior, or measure the pull-off; the upper end of its interval \
+             show no adhesion. Its standard error does not hold there, and those of the other parameters are \
+             those without adhesion; fix it at 0, give it a prior, or measure the pull-off; the upper end of its interval \
              from the profile of the likelihood is the largest that the data allow"
         )));
     }

@@ -97,6 +97,20 @@ impl Uncertainty {
         }
     }
 
+    /// Returns the uncertainty of the other values with these slots held at their values. Their own errors stay.
+    pub fn holding(mut self, held: &[usize]) -> Self {
+        for (k, &slot) in held.iter().enumerate() {
+            let direction = self.factor.column(slot).normalize();
+            for other in (0..self.sizes.len()).filter(|other| !held[..=k].contains(other)) {
+                let mut column = self.factor.column_mut(other);
+                let part = column.dot(&direction);
+                column.axpy(-part, &direction, 1.0);
+            }
+        }
+        self.covariance = self.factor.tr_mul(&self.factor) * (self.scatter * self.scatter);
+        self
+    }
+
     /// Returns what of a column is no combination of the derivatives.
     pub fn without_fitted(&self, column: &DVector<f64>) -> DVector<f64> {
         column - &self.orthonormal * self.orthonormal.tr_mul(column)

@@ -213,9 +213,21 @@ fn of_loads_at_positions(
     is_unknown: IsUnknown<'_>,
     branch: Branch,
 ) -> Option<Homogeneous> {
+    let levels = levels(assigned, is_unknown, branch)?.into_iter();
+    let found = levels.filter_map(|level| at_level(assigned, is_unknown, branch, level));
+    let best = found.min_by(|one, other| one.1.total_cmp(&other.1));
+    best.map(|(found, _)| found)
+}
+
+/// Fits as [`of_loads_at_positions`] at a level and a slope of the baseline. Returns the sum of squares, too.
+fn at_level(
+    assigned: &Assigned,
+    is_unknown: IsUnknown<'_>,
+    branch: Branch,
+    [level, slope]: [f64; 2],
+) -> Option<(Homogeneous, f64)> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
-    let [level, slope] = baseline(assigned, is_unknown)?;
     let compliance = experiment
         .stiffness
         .filter(|_| experiment.measurement.kind == Kind::ForceHeight)
@@ -269,7 +281,7 @@ fn of_loads_at_positions(
         .into_iter()
         .filter_map(fit)
         .min_by(|one, other| one.2.total_cmp(&other.2))?;
-    let (work_of_adhesion, found, _) = best;
+    let (work_of_adhesion, found, sum) = best;
     let modulus = found[0].powf(-1.5);
     let contact_point = found
         .get(1)
@@ -278,7 +290,7 @@ fn of_loads_at_positions(
         .then(|| forces_of(Branch::Receding))
         .filter(|points| !points.is_empty())
         .map(|points| work_of_least(&points));
-    modulus.is_finite().then(|| Homogeneous {
+    let homogeneous = Homogeneous {
         modulus: Some(modulus),
         work_of_adhesion,
         receding,
@@ -290,31 +302,38 @@ fn of_loads_at_positions(
             most,
             found[0] * scaled_penetration(most, work_of_adhesion, radius),
         ],
-    })
+    };
+    modulus.is_finite().then_some((homogeneous, sum))
 }
 
-/// Returns level and slope of the baseline, from the points on it if they are not known.
-fn baseline(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<[f64; 2]> {
+/// Lists the levels and slopes of the baseline that are tried: those of the points on it if they are not known. Where all
+/// points are in contact, the level may be far from the one given, and the smallest reading of a branch is tried, too.
+fn levels(assigned: &Assigned, is_unknown: IsUnknown<'_>, branch: Branch) -> Option<Vec<[f64; 2]>> {
     let experiment = &assigned.experiment;
     let known = [
         experiment.load_offset + experiment.baseline,
         experiment.baseline_slope,
     ];
     let points = points_of(assigned, Branch::Baseline);
-    if !level_is(is_unknown) || points.is_empty() {
-        return Some(known);
+    if !level_is(is_unknown) {
+        return Some(vec![known]);
+    }
+    let of_reading = |[x, reading]: &[f64; 2]| reading - known[1] * (x - experiment.contact_point);
+    if points.is_empty() {
+        let readings = points_of(assigned, branch);
+        let least = readings.iter().map(of_reading).min_by(f64::total_cmp);
+        let tried = [Some(known[0]), least].into_iter().flatten();
+        return Some(tried.map(|level| [level, known[1]]).collect());
     }
     if !is_unknown(Parameter::BaselineSlope) || points.len() < 3 {
-        let readings = points
-            .iter()
-            .map(|[x, reading]| reading - known[1] * (x - experiment.contact_point));
-        return Some([median(readings.collect()), known[1]]);
+        let level = median(points.iter().map(of_reading).collect());
+        return Some(vec![[level, known[1]]]);
     }
     let rows = points
         .iter()
         .map(|&[x, reading]| (vec![1.0, x - experiment.contact_point], reading));
     let (found, _) = least_squares(rows.collect())?;
-    Some([found[0], found[1]])
+    Some(vec![[found[0], found[1]]])
 }
 
 /// Returns `E*^{1/3} a` of JKR.

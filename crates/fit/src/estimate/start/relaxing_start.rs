@@ -9,7 +9,7 @@ use super::starts::{IsUnknown, Starts};
 use crate::estimate::problem::assigned::Assigned;
 use crate::model::{Program, contacts_of, noise_of};
 use crate::statistics::{extremes, median, range};
-use crate::{Direction, Error, Experiment, Parameter, Point};
+use crate::{Direction, Error, Experiment, Parameter, Point, Relaxing};
 
 /// Why data that begin in contact are refused.
 const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
@@ -24,6 +24,8 @@ const EXPONENTS: [f64; 3] = [0.05, 0.2, 0.5];
 const FEWER: [f64; 2] = [0.2, 0.5];
 const FRACTIONS: [f64; 2] = [0.15, 0.6];
 const TIMES: [f64; 3] = [0.01, 0.07, 0.5];
+/// The weights that are tried of two times of which one is given.
+const BESIDE: [f64; 3] = [0.1, 0.25, 0.5];
 /// The range of several relaxation times over the duration.
 const RANGE: [f64; 2] = [0.02, 0.5];
 /// The part of the sum of squares that a start may leave without others being tried, at the contact points that these
@@ -209,6 +211,10 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
     let duration = times.last().copied().unwrap_or(1.0) - times.first().copied().unwrap_or(0.0);
     let is_time = |one: &&Parameter| matches!(one, Parameter::Law(LawParameter::Time(_)));
     let count = parameters.iter().filter(is_time).count();
+    let law = experiment.relaxing.iter().flat_map(Relaxing::parameters);
+    let all_times = law.filter(|one| is_time(&one)).count();
+    let is_weight = |one: &&Parameter| matches!(one, Parameter::Law(LawParameter::Weight(_)));
+    let weights = parameters.iter().filter(is_weight).count();
     let values = |parameter: Parameter| -> Vec<f64> {
         match parameter {
             Parameter::Law(LawParameter::Exponent) if count > 0 => FEWER.to_vec(),
@@ -219,6 +225,8 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
                 vec![duration * RANGE[0] * (RANGE[1] / RANGE[0]).powf(part)]
             }
             Parameter::Law(LawParameter::Time(_)) => TIMES.map(|part| part * duration).to_vec(),
+            // Beside a time that is given, a weight tells which of the times is the shorter one.
+            _ if count < all_times && weights == 1 => BESIDE.to_vec(),
             // A small part for each of several times: the first has the rest.
             _ => vec![0.35 / count.max(1) as f64],
         }

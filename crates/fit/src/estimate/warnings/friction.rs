@@ -100,7 +100,7 @@ fn digits(value: f64) -> String {
 /// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m), and whether
 /// Dundurs' beta of sphere and film is 0; `None` where it is not solved, or there is no film.
 fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<(f64, bool)> {
-    let stack = bodies.stack().ok()?;
+    let stack = bodies.stack_or_on_rigid()?;
     let sticking = Sticking::on_stack(&stack, bodies.sphere_modulus, nu2).ok()?;
     let a_over_t = (a / stack.thickness()).min(sticking.most_of_punch());
     let ratio = sticking.stiffening(a_over_t, TOLERANCE).ok()?;

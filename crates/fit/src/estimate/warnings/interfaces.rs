@@ -116,7 +116,7 @@ fn assumes_bonding(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty
 
 /// Returns the top layer and the stack of bodies that are all bonded; `None` of others.
 fn layers(bodies: &Bodies) -> Option<(Layer, Stack)> {
-    let stack = bodies.stack().ok().filter(Stack::is_bonded)?;
+    let stack = bodies.stack_or_on_rigid().filter(Stack::is_bonded)?;
     Some((*stack.layers().last()?, stack))
 }
 
