@@ -96,10 +96,14 @@ impl Solution<'_> {
         } else {
             end
         };
-        let [inner, outer] = [sampled(a, middle), sampled(middle, end)];
+        let inner = sampled(a, middle);
+        let outer = (middle < end).then(|| sampled(middle, end));
         let phi = |s: f64| {
             let height = ((c - s) * (c + s)).max(0.0).sqrt();
-            let rest = if s > middle { outer(s) } else { inner(s) };
+            let rest = match &outer {
+                Some(outer) if s > middle => outer(s),
+                _ => inner(s),
+            };
             rest - self.bodies.traction * height / modulus
         };
         radii
