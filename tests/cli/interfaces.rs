@@ -2,8 +2,8 @@
 //! and the key `interface` of a stack file.
 
 use acceptance::{
-    Data, Workdir, assert_cases, assert_close, assert_estimate, estimate, json, kinds, layer,
-    number, relative_error, solid, springs, with_interfaces, workdir,
+    Data, Workdir, assert_cases, assert_close, assert_estimate, assert_names, estimate, json,
+    kinds, layer, number, relative_error, solid, springs, with_interfaces, workdir,
 };
 use contact::{Contact, Control};
 use interp::Quantities;
@@ -236,6 +236,25 @@ fn a_stack_file_has_the_interfaces_of_its_layers() {
     assert_cases(cases, |[from, to, _]| {
         solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused")
     });
+}
+
+/// The largest contact of layers may be above 1000 times the thickness by rounding: by default, and as messages advise.
+#[test]
+fn layers_are_solved_up_to_their_reach() {
+    let workdir = workdir!();
+    let curve = "curve --specimen paper --interface sliding --points 2 --film-thickness";
+    workdir.succeed(format!("{curve} 1e-8"));
+    let wide = format!("{curve} 1um --sphere-radius 1cm --to");
+    assert_names(
+        &workdir.fail(1, format!("{wide} 1.1mm")),
+        "of 0.001 or less",
+    );
+    workdir.succeed(format!("{wide} 0.001"));
+    workdir.write("stack.toml", STACK);
+    let solve = "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t";
+    workdir.succeed(format!("{solve} 750"));
+    let refused = workdir.fail(1, format!("{solve} 750.001"));
+    assert_names(&refused, "a_over_t = 750.001; at most 1000 times");
 }
 
 /// What springs open is no strain of the film above them.

@@ -87,6 +87,7 @@ fn a_negative_value_is_refused_with_the_reason() {
         1 | pull-off --control spring --stiffness -1e-3 | stiffness of the spring = -0.001
         1 | pull-off --interaction-range -1e-9 | interaction range = -1e-9
         1 | curve --tolerance -1e-3 | tolerance = -0.001
+        1 | curve --tolerance 0.9e-12 --points 2 | tolerance = 9e-13; 1e-12 to 0.01
         1 | curve --probe cone --half-angle -1e1 | --half-angle -10.0
         1 | simulate --kind load-radius --from 1um --to 2um --noise -1e-6 | --noise -1e-6
         1 | solve --a-over-t -1e-3 --e1-over-e2 1 --nu1 0.5 --e0-over-e2 1 | a_over_t = -0.001

@@ -240,6 +240,14 @@ fn the_work_of_adhesion_of_a_pull_off_load_is_that_of_closed_forms() {
             worst = larger(worst, relative(apart.load, load));
         }
     }
+    // Moduli and energies in other units.
+    for unit in [1e-18, 1e18] {
+        let (w, solid) = (1e-3 * unit, solid(1e6 * unit, 0.4));
+        let contact = on_half_space(Probe::Cone { half_angle: 1.2 }, solid);
+        let load = -54.0 * w * w * 1.2_f64.tan().powi(3) / (PI * solid.reduced());
+        let found = contact.work_of_adhesion_at_pull_off(load, Control::Load);
+        worst = larger(worst, relative(found.expect("in range"), w));
+    }
     println!("work of adhesion of a pull-off load: {worst:.1e}");
     assert!(worst <= EXACT, "{worst:e}");
 }

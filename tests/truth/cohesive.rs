@@ -285,6 +285,26 @@ fn the_contact_continues_the_attraction_before_it() {
     }
 }
 
+/// The gap where the attraction ends is its range, whatever other radii are asked for, in any order.
+#[test]
+fn the_gap_at_a_radius_does_not_depend_on_other_radii() {
+    for nu in [0.3, 0.5] {
+        let film = stack(solid(1e3 * MODULUS, 0.25), &[layer(MODULUS, nu, THICKNESS)]);
+        let [radius, range] = [1e3, 1.3].map(|length| length * THICKNESS);
+        let cohesive = on_stack(&film, radius, f64::INFINITY, 0.05, range).expect("physical");
+        let a = 0.01 * THICKNESS;
+        let outer = cohesive.state(a).expect("solved").outer_radius;
+        for far in [1.5, 1.99].map(|factor| factor * outer) {
+            let gaps = cohesive.gap(a, &[far, outer, a]).expect("solved");
+            let ascending = cohesive.gap(a, &[a, outer, far]).expect("solved");
+            let error = (gaps[1] / range - 1.0).abs();
+            println!("c/t {:.1}: {error:.1e}", outer / THICKNESS);
+            assert!(error < 1e-8);
+            assert_eq!(gaps, ascending.into_iter().rev().collect::<Vec<f64>>());
+        }
+    }
+}
+
 #[test]
 fn values_outside_the_domain_are_named() {
     let (cohesive, [radius, ..]) = on_film(1.0, false);
@@ -306,6 +326,7 @@ fn values_outside_the_domain_are_named() {
     cohesive
         .gap(0.01 * radius, &[2.001 * outer])
         .refused("radius");
+    assert!(cohesive.gap(0.01 * radius, &[]).expect("none").is_empty());
     let strong = on_stack(&film, radius, MODULUS, 1e300, 1e-9).expect("positive");
     strong.without_contact(1e-3 * radius).refused("overflows");
 }

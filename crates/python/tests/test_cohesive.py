@@ -47,6 +47,11 @@ def test_pressure_and_gap(cohesive):
     gap = cohesive.gap(a, np.array([[a, state.outer_radius]]))
     assert gap.shape == (1, 2)
     assert gap[0] == pytest.approx([0.0, 1e-8], abs=1e-13)
+    # The order of the radii does not matter, and none have none.
+    radii = np.linspace(a, 1.9 * state.outer_radius, 7)
+    for field, places in ((cohesive.pressure, radii / radii[-1] * a), (cohesive.gap, radii)):
+        assert field(a, places[::-1]).tolist() == field(a, places)[::-1].tolist()
+        assert field(a, []).shape == (0,)
 
 
 def test_the_attraction_acts_before_the_contact(cohesive):

@@ -136,10 +136,12 @@ pub fn stack_curve(
 /// Accepts contacts with a stack up to `a_over_t`, which are not too wide beside its top layer.
 ///
 /// # Errors
-/// [`Error::StackReach`]
+/// [`Error::StackReach`], for an `a_over_t` beyond the reach by more than the rounding of a ratio of SI values.
 pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
+    /// The largest relative rounding of `a_over_t`: 1 mm over 1 um is more than 1000.
+    const ROUNDING: f64 = 1e-12;
     let reach = stack.reach(MOST_A_OVER_TOP);
-    if a_over_t <= reach {
+    if a_over_t <= reach * (1.0 + ROUNDING) {
         return Ok(());
     }
     let merged = stack.merged();

@@ -11,7 +11,7 @@ const MOST_STEPS: usize = 60;
 /// The work of adhesion (J/m^2) from which on that of a probe without a radius is searched.
 const USUAL: f64 = 0.05;
 /// The powers of ten by which the search begins below and above it, where it has no answer.
-const DECADES: i32 = 5;
+const DECADES: i32 = 12;
 /// The largest difference of the logarithm of a load from that of the load wanted.
 const CLOSE: f64 = 1e-5;
 /// The difference of the logarithm of the work of adhesion on both sides of a jump of the load.

@@ -68,32 +68,43 @@ impl Solution<'_> {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the gap at each of the radii `r > a`, which ascend.
+    /// Returns the gap at each of the radii `r >= a`, in any order.
     ///
     /// It is `(2/pi) int_a^r phi(s)/sqrt(r^2-s^2) ds`. The traction's own part of `phi` is known; the
-    /// rest is interpolated between samples.
+    /// rest is interpolated between samples. The compliance smooths the rest over the thickness of the top layer, 1. Where
+    /// the samples are farther apart than that, they are denser at `c`, where the rest changes most.
     pub fn gaps(&self, radii: &[f64]) -> Vec<f64> {
         const LEAST: usize = 16;
+        const MOST: f64 = 48.0;
         let (a, c) = (self.annulus.inner, self.annulus.outer);
         let modulus = self.bodies.symbol.modulus();
-        let end = radii[radii.len() - 1];
-        // The compliance smooths the rest over the thickness of the top layer, 1.
-        let count = LEAST + (4.0 * (end - a)).min(48.0) as usize;
-        let nodes: Vec<f64> = (0..count)
-            .map(|i| a + (end - a) * 0.5 * (1.0 - (PI * (i as f64 + 0.5) / count as f64).cos()))
-            .collect();
-        let rest: Vec<f64> = nodes
-            .iter()
-            .map(|s| {
-                let wave = cosine_sum(&self.part.spectrum, self.q, *s);
-                wave / modulus - self.part.penetration + s * s * self.bodies.curvature
-            })
-            .collect();
-        let factors = barycentric_factors(count);
+        let end = radii.iter().copied().fold(a, f64::max);
+        let rest = |s: f64| {
+            let wave = cosine_sum(&self.part.spectrum, self.q, s);
+            wave / modulus - self.part.penetration + s * s * self.bodies.curvature
+        };
+        let sampled = |from: f64, to: f64| {
+            let count = LEAST + (4.0 * (to - from)).min(MOST) as usize;
+            let place = |i: usize| 0.5 * (1.0 - (PI * (i as f64 + 0.5) / count as f64).cos());
+            let nodes: Vec<f64> = (0..count).map(|i| from + (to - from) * place(i)).collect();
+            let values: Vec<f64> = nodes.iter().map(|s| rest(*s)).collect();
+            let factors = barycentric_factors(count);
+            move |s: f64| dot(&interpolation(&nodes, &factors, s), &values)
+        };
+        let middle = if 4.0 * (end - a) > MOST {
+            c.min(end)
+        } else {
+            end
+        };
+        let inner = sampled(a, middle);
+        let outer = (middle < end).then(|| sampled(middle, end));
         let phi = |s: f64| {
             let height = ((c - s) * (c + s)).max(0.0).sqrt();
-            dot(&interpolation(&nodes, &factors, s), &rest)
-                - self.bodies.traction * height / modulus
+            let rest = match &outer {
+                Some(outer) if s > middle => outer(s),
+                _ => inner(s),
+            };
+            rest - self.bodies.traction * height / modulus
         };
         radii
             .iter()

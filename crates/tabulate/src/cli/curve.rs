@@ -17,7 +17,7 @@ use super::table_name::TableName;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
 use solve::stack::MOST_A_OVER_TOP;
-use solve::{A_OVER_T, solve};
+use solve::{A_OVER_T, CURVE_TOLERANCE, solve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -289,6 +289,8 @@ impl<'a> States<'a> {
             let range = [from.min(0.9 * to), to].map(over_thickness);
             Source::Curve(solved(range, tolerance)?)
         } else if system.probe.is_paraboloid() {
+            // Single solves reach a smaller one.
+            solve::Error::check("tolerance", tolerance, CURVE_TOLERANCE)?;
             let range = [from, to].map(over_thickness);
             let slopes = || solved(range, tolerance.max(LEAST_OF_SLOPES));
             let slopes = (bodies.work_of_adhesion > 0.0).then(slopes);
