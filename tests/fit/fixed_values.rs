@@ -347,12 +347,12 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
     };
     // A film of another thickness is no doubt by itself: the fit may describe the data less well.
     let expected = [
-        fit::WarningKind::PoorFit,
-        fit::WarningKind::Outliers,
-        fit::WarningKind::OffsetWanted,
-        fit::WarningKind::OffsetHinted,
-        fit::WarningKind::LargeStrain,
-        fit::WarningKind::StructuredResiduals,
+        WarningKind::PoorFit,
+        WarningKind::Outliers,
+        WarningKind::OffsetWanted,
+        WarningKind::OffsetHinted,
+        WarningKind::LargeStrain,
+        WarningKind::StructuredResiduals,
     ];
     assert_coverage("known thickness", &fits(&[known]), truth, &expected);
     // Without its error the intervals hold the truth far less often than 68 %.
