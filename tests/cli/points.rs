@@ -308,8 +308,11 @@ fn solve_adds_the_columns_of_other_probes() {
         assert_eq!(data.column(name), [value], "{name}");
     }
 
+    workdir.write_points("3,1.75,half,1e5\n");
     workdir.refuses(format!(
         "
+        1 | solve --points points.csv | line 2; nu1 = \"half\" is not a number; the decimal mark is a point
+        1 | curve --specimen paper --from nan | --from is NaN m; --to; not given
         1 | solve {point} --exponent 0 | exponent = 0.0; 0.1 to 20.0
         1 | solve {point} --exponent nan | exponent = NaN; 0.1 to 20.0
         1 | solve {point} --exponent -1 | exponent = -1.0; 0.1 to 20.0

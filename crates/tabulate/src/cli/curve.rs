@@ -104,7 +104,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.least_solved(&bodies),
     );
     ensure!(
-        smallest <= 0.0 || smallest >= least,
+        !(smallest > 0.0 && smallest < least),
         "contact radius {smallest:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; \
          ask for larger radii, or take so thick a film or top layer as a half-space, --half-space"
     );

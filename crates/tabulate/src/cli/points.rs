@@ -4,7 +4,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, anyhow, bail, ensure};
 use interp::{Material, Quantity};
 
 use super::output::Output;
@@ -209,9 +209,9 @@ fn point(
         let Some(field) = column.and_then(|column| record.get(column)) else {
             continue;
         };
-        *value = field
-            .parse()
-            .with_context(|| format!("{name} = {field:?}"))?;
+        *value = field.parse().map_err(|_| {
+            anyhow!("{name} = {field:?} is not a number; the decimal mark is a point")
+        })?;
     }
     let [a_over_t, e1_over_e2, nu1, mut e0_over_e2, nu0] = values;
     if let Given::Stack { e0_over_e1, .. } = given {
