@@ -23,7 +23,14 @@ pub fn write(
     let names: Vec<String> = estimates.iter().map(|one| name(one, files)).collect();
     let header = names.iter().map(|name| format!("  {name:>COLUMN$}"));
     let (header, width) = (header.collect::<String>(), 2 * NAME);
-    *out += &format!("\n{:<width$}{header}\n", "what the fixed values do");
+    let is_known = fixed_values.iter().any(|one| one.error.is_some());
+    let beside = if is_known {
+        ""
+    } else {
+        " (not in the errors above)"
+    };
+    let title = format!("what the fixed values do{beside}");
+    *out += &format!("\n{title:<width$}{header}\n");
     for one in fixed_values {
         let cells = estimates.iter().zip(&one.changes).zip(&names);
         let cells = cells.map(|((estimate, change), name)| {
