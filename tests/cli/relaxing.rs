@@ -122,6 +122,7 @@ fn the_interval_between_points_stands_for_times() {
         2 | {data} --relaxation-exponent 0.3 | --relaxation
         1 | {data} {law} --relaxation-exponent 1.2 | relaxation exponent = 1.2; below 1
         1 | {data} --relaxation sls --relaxed-fraction 1.3 | relaxed fraction = 1.3; from 0 to 1
+        1 | {data} --sample-interval 10ms --relaxation prony:2 --relaxed-fraction 0.9 --value relaxation-weight.2=0.82 | sum of the relaxed fraction and all weights but the first = 1.72; below 1; the first one fills
         1 | {data} {by_interval} --free film-modulus | relaxation-exponent; --value relaxation-exponent=
         1 | {data} {by_interval} --work-of-adhesion 1uJ/m^2 | work of adhesion; crack tip
         2 | {data} {law} --sample-interval 20nm | 20nm; a time is wanted

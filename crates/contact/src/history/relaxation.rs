@@ -92,6 +92,14 @@ impl Relaxation {
             Self::Prony { relaxed, terms } => {
                 // Before the weights, of which one may be what the others and the fraction leave.
                 part(*relaxed)?;
+                // The first weight is often what the others leave.
+                if let [[first, _], others @ ..] = &terms[..]
+                    && *first <= 0.0
+                {
+                    let rest = relaxed + others.iter().map(|[weight, _]| weight).sum::<f64>();
+                    let name = "sum of the relaxed fraction and all weights but the first";
+                    unless(rest < 1.0, name, rest, "below 1, which the first one fills")?;
+                }
                 for &[weight, time] in terms {
                     positive("relaxation weight", weight)?;
                     positive("relaxation time", time)?;
