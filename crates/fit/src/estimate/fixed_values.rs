@@ -155,8 +155,6 @@ pub(super) fn effects(
         }
         let error = known.iter().find(|one| one.quantity == quantity);
         let error = error.map(|one| one.error);
-        let has_value = |one: &&Assigned| value_of(&one.experiment).is_some();
-        let noise = problem.assigned.iter().find(has_value)?.noise;
         let is_relative = quantity.errs_in_proportion() && value != 0.0;
         let step = match error {
             // No Poisson ratio is above 0.5.
@@ -164,8 +162,12 @@ pub(super) fn effects(
             _ if quantity.is_poisson_ratio() => STEP,
             _ if is_relative => STEP * value.abs(),
             Some(error) => error,
-            // A zero is known to some noise of a reading.
-            None => noise,
+            // A zero is known to some noise of the readings whose zero it is.
+            None => {
+                let mut assigned = problem.assigned.iter();
+                let is_zero = |one: &&Assigned| one.experiment.is_zero_of_ordinates(quantity);
+                assigned.find(is_zero)?.noise
+            }
         };
         let moved = |step: f64| {
             let by = PART * step;
