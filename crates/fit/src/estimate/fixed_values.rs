@@ -11,6 +11,7 @@ use super::problem::Problem;
 use super::problem::assigned::Assigned;
 use super::problem::blocks::svd;
 use super::problem::loss::influence;
+use super::problem::no_adhesion;
 use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
 use super::result::each_once;
@@ -299,9 +300,11 @@ fn response<'u>(
         row *= *root;
     }
     let mut lengths: Vec<f64> = weighted.column_iter().map(|column| column.norm()).collect();
+    let ended = no_adhesion::ended_at_zero(problem);
     for (i, slot) in problem.slots.iter().enumerate() {
-        // A value at its bound stays there.
-        if slot.coordinate.is_at_bound(problem.value(i)) || lengths[i] == 0.0 {
+        // A value at its bound stays there, and a work of adhesion that ended at 0, as in the standard errors.
+        let stays = slot.coordinate.is_at_bound(problem.value(i)) || ended.contains(&i);
+        if stays || lengths[i] == 0.0 {
             weighted.column_mut(i).fill(0.0);
             lengths[i] = 1.0;
         }
