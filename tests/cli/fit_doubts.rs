@@ -100,7 +100,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} film-thickness=+-300% | known film-thickness; at most its value
         1 | {known} height=+-1% | known height; not given; a value that the measurement has
         1 | {known} layer-1.modulus=+-1% | known layer-1.modulus; not given; a value that the measurement has
-        1 | {known} load=+-200% | known load; at most its value
+        1 | {known} load=+-2 | known load; at most 1; 0.02 is 2 %
         1 | {known} load=1.02+-1% | load of data.csv = 1.02; left out: it is 1
         2 | {known} load=+-1uN | is a force; a number without a unit
         2 | {known} half-angle=+-2 | \"2\"; is an angle without a unit; 2deg

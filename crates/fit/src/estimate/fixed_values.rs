@@ -107,10 +107,13 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
         };
         if is_scale && *error > first {
             let name = format!("the standard error of {name}");
-            let allowed = format!(
-                "at most its value, {first:?} {}: give it in this unit, and not as a part of the value",
-                quantity.unit()
-            );
+            let allowed = match quantity {
+                Fixed::Scale(_) => "at most 1, a part of the readings: 0.02 is 2 %".to_owned(),
+                _ => format!(
+                    "at most its value, {first:?} {}: give it in this unit, and not as a part of the value",
+                    quantity.unit()
+                ),
+            };
             return Err(Error::setting(name, *error, allowed));
         }
     }
