@@ -100,7 +100,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} film-thickness=+-300% | known film-thickness; at most its value
         1 | {known} height=+-1% | known height; not given; a value that the measurement has
         1 | {known} layer-1.modulus=+-1% | known layer-1.modulus; not given; a value that the measurement has
-        1 | {known} load=+-200% | known load; at most its value
+        1 | {known} load=+-2 | known load; at most 1; 0.02 is 2 %
         1 | {known} load=1.02+-1% | load of data.csv = 1.02; left out: it is 1
         2 | {known} load=+-1uN | is a force; a number without a unit
         2 | {known} half-angle=+-2 | \"2\"; is an angle without a unit; 2deg
@@ -131,9 +131,37 @@ fn the_error_of_a_stiffness_is_that_of_the_forces_made_with_it() {
     let words =
         "stiffness leaves the loads as they were read; the rows of load and stiffness add up";
     assert_names(&workdir.succeed(fit("bare.csv")), words);
-    let report = workdir.succeed(fit("head.csv"));
-    assert!(!report.contains("add up"), "{report}");
-    for (file, range) in [("bare.csv", 0.0..0.05), ("head.csv", 0.1..0.11)] {
+    // Separations hold the deflection.
+    let rows = made.lines().filter(|line| !line.starts_with('#')).skip(1);
+    let rows = rows.map(|row| {
+        let mut cells = row.splitn(3, ',');
+        let mut next = || cells.next().expect("three cells");
+        let [height, load, segment] = [next(), next(), next()];
+        let number = |cell: &str| cell.parse::<f64>().expect("a number");
+        format!(
+            "{:e},{load},{segment}\n",
+            number(height) + number(load) / 0.1
+        )
+    });
+    let rows: String = rows.collect();
+    workdir.write(
+        "apart.csv",
+        format!("separation [m],force [N],segment\n{rows}"),
+    );
+    // The head may have another unit, and its rounding: 43e-3 as a number is not 43 times 1e-3.
+    let made = made.replace("--stiffness 0.1", "");
+    workdir.write("milli.csv", format!("# springConstant: 43 mN/m\n{made}"));
+    let milli = fit("milli.csv").replace("--stiffness 0.1", "--stiffness 0.043");
+    let reports = [fit("head.csv"), fit("apart.csv"), milli].map(|command| workdir.run(&*command));
+    for report in reports.map(|answer| answer.stdout) {
+        assert!(report.contains("what the fixed values do"), "{report}");
+        assert!(!report.contains("add up"), "{report}");
+    }
+    for (file, range) in [
+        ("bare.csv", 0.0..0.05),
+        ("head.csv", 0.1..0.11),
+        ("apart.csv", 0.1..0.11),
+    ] {
         let found = workdir.json(format!("{} --known stiffness=+-10% --json", fit(file)));
         for name in ["film_modulus", "work_of_adhesion"] {
             let of = |what| number(&found, &format!("parameters/{name}/{what}"));

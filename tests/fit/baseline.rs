@@ -8,8 +8,8 @@ use fit::{Bodies, Branch, Direction, Experiment, Fit, Kind, Parameter, Point, Wa
 use interp::Probe;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, assert_warns, fitted, free_of,
-    measurement, measurement_of, off as off_by,
+    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, assert_warns, fit_with, fitted,
+    free_of, measurement, measurement_of, off as off_by,
 };
 
 /// The parameters of a force curve without adhesion.
@@ -81,17 +81,27 @@ fn errors_beside_a_work_of_adhesion_that_ended_at_zero_are_those_without_adhesio
     for seed in 0..12 {
         let measured = hertz.measured(&exact, seed);
         let with_adhesion = |level: f64| {
-            let found = fitted(&changed(&measured, |_, _| level), &free_of(&FORCE_CURVE));
-            found.warns_of(WarningKind::AtBound).then_some(found)
+            let data = changed(&measured, |_, _| level);
+            let found = fit_with(&data, &free_of(&FORCE_CURVE), |options| {
+                options.fixed_values = true;
+            });
+            found.ok().filter(|one| one.warns_of(WarningKind::AtBound))
         };
         let found = [-1e-6, 0.0, 3e-7].map(with_adhesion);
         let without = error(&fitted(&measured, &hertz.free));
         let mut found = found.iter().flatten();
         let first = found.clone().next().map(error);
         ended += found.clone().count();
-        found
-            .clone()
-            .for_each(|one| assert_silent(one, WarningKind::SeveralMinima));
+        for one in found.clone() {
+            assert_silent(one, WarningKind::SeveralMinima);
+            // Calibrations leave it at 0, too.
+            assert_silent(one, WarningKind::Calibration);
+            assert!(!one.fixed_values.is_empty());
+            for row in &one.fixed_values {
+                let rounding = 1e-9 * one.estimates[1].standard_error;
+                assert!(row.changes[1].abs() <= rounding, "{row:?}");
+            }
+        }
         let is_right = |error: f64| {
             let is_first = first.is_some_and(|first| (error / first - 1.0).abs() < 1e-3);
             is_first && (error / without - 1.0).abs() < 0.1

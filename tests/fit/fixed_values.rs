@@ -254,6 +254,47 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
     fit_with(&experiment, &free, |_| ()).refused("stiffness; deflection; standard error");
 }
 
+/// A zero that is fixed may be off by the noise of the readings whose zero it is, whatever other files read.
+#[test]
+fn zeros_of_files_of_several_kinds_are_off_by_their_own_noise() {
+    let [loads, depths] = [(Kind::LoadRadius, 1e-6), (Kind::PenetrationRadius, 2e-8)]
+        .map(|(kind, noise)| Imagined::lens(kind, 30e-6, noise, &LENS))
+        .map(|lens| lens.measured(&lens.exact(), 1));
+    let options = Options {
+        fixed_values: true,
+        ..Options::default()
+    };
+    for files in [[&loads, &depths], [&depths, &loads]] {
+        let here = fit::fit(
+            Table::embedded(),
+            &files.map(Clone::clone),
+            &free_of(&LENS),
+            &options,
+        );
+        let here = here.expect("sound");
+        for (zero, noise) in [
+            (Parameter::LoadOffset, 1e-6),
+            (Parameter::ContactPoint, 2e-8),
+        ] {
+            let mut rows = here.fixed_values.iter();
+            let row = rows.find(|one| one.quantity == Fixed::Parameter(zero));
+            assert_eq!(row.map(|row| row.step), Some(noise), "{zero}");
+        }
+    }
+    // A free level takes up a load offset.
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let mut gel = Imagined::probe(Course::Approach, 0.0, &free);
+    gel.truth.measurement.kind = Kind::LoadPenetration;
+    gel.truth.stiffness = None;
+    let here = told(&gel.measured(&gel.exact(), 1), &gel.free);
+    let offset = Fixed::Parameter(Parameter::LoadOffset);
+    assert!(here.fixed_values.iter().all(|one| one.quantity != offset));
+}
+
 /// A film below a sphere that is known: its part of the compliance is small, so that a calibration of 1 % decides. A known
 /// error is in the standard error.
 #[test]

@@ -244,6 +244,12 @@ fn a_spring_in_series_with_the_contact_is_told() {
         assert_silent(&found, WarningKind::OffsetWanted);
         let told = text(&found, WarningKind::SpringWanted);
         assert_near(number_after(&told, "of some "), stiffness, 0.15 * stiffness);
+        // Another stiffness leaves the penetrations of a deflection, which would be larger.
+        measured.from_deflection = true;
+        let told = text(&fitted(&measured, &gel.free), WarningKind::SpringWanted);
+        assert_names(&told, "sensitivity of the detector");
+        assert_near(number_after(&told, "deflections "), 1.25, 0.15 * 1.25);
+        measured.from_deflection = false;
         // The same spring is not known to those who take the heights for penetrations.
         measured.stiffness = None;
         measured.measurement.kind = Kind::LoadPenetration;

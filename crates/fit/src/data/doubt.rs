@@ -102,7 +102,6 @@ pub fn doubts(
 
 /// Returns the doubt that forces were made with another stiffness than the one given.
 fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
-    const SAME: f64 = 1e-6;
     /// A cantilever that is stiffer by this factor stands for a rigid one, of heights without the deflection.
     const RIGID: f64 = 1e3;
     let (named, given) = (notes.head.stiffness.as_ref()).zip(notes.cantilever.stiffness)?;
@@ -110,7 +109,7 @@ fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
         pair.sources().map(|source| source.role),
         [Role::Height | Role::Separation, Role::Load]
     );
-    let differs = (given / named.value - 1.0).abs() > SAME && given < RIGID * named.value;
+    let differs = notes.head.differs_from(notes.cantilever)? && given < RIGID * named.value;
     let forces = &pair.ordinate.heading;
     let (line, of_head, factor) = (named.line, named.value, given / named.value);
     (are_forces && differs).then(|| {

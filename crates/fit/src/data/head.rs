@@ -129,6 +129,14 @@ impl Head {
         }
     }
 
+    /// Tells whether a cantilever has another stiffness than the head names; `None` where one of them is not known.
+    pub(super) fn differs_from(&self, used: Cantilever) -> Option<bool> {
+        /// The rounding of units, as a part of the stiffness.
+        const SAME: f64 = 1e-6;
+        let named = self.stiffness.as_ref()?.value;
+        Some((used.stiffness? / named - 1.0).abs() > SAME)
+    }
+
     /// Returns the cantilever: what is given, completed by what the head names.
     pub fn complete(&self, given: Cantilever) -> Cantilever {
         let value = |found: &Option<HeadValue>| found.as_ref().map(|found| found.value);

@@ -116,13 +116,12 @@ pub struct Notes {
 
 impl Notes {
     /// Tells whether forces are a deflection times the stiffness of the cantilever: where deflections are read, or forces
-    /// with the stiffness that the head names.
+    /// with the stiffness that the head names, or beside separations, which hold the deflection.
     pub fn has_deflection(&self) -> bool {
         let has = |role| self.columns.iter().any(|column| column.role == role);
-        let named = self.head.stiffness.as_ref().map(|named| named.value);
-        let is_of_head = named.is_some() && named == self.cantilever.stiffness;
-        let has_height = has(Role::Height) || has(Role::Separation);
-        has(Role::Deflection) || (is_of_head && has_height && has(Role::Load))
+        let differs = self.head.differs_from(self.cantilever);
+        let is_of_head = has(Role::Height) && differs == Some(false);
+        has(Role::Deflection) || (has(Role::Load) && (has(Role::Separation) || is_of_head))
     }
 
     /// Tells whether a deflection is in volts, which needs the sensitivity.

@@ -11,6 +11,7 @@ use super::problem::Problem;
 use super::problem::assigned::Assigned;
 use super::problem::blocks::svd;
 use super::problem::loss::influence;
+use super::problem::no_adhesion;
 use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
 use super::result::each_once;
@@ -106,10 +107,13 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
         };
         if is_scale && *error > first {
             let name = format!("the standard error of {name}");
-            let allowed = format!(
-                "at most its value, {first:?} {}: give it in this unit, and not as a part of the value",
-                quantity.unit()
-            );
+            let allowed = match quantity {
+                Fixed::Scale(_) => "at most 1, a part of the readings: 0.02 is 2 %".to_owned(),
+                _ => format!(
+                    "at most its value, {first:?} {}: give it in this unit, and not as a part of the value",
+                    quantity.unit()
+                ),
+            };
             return Err(Error::setting(name, *error, allowed));
         }
     }
@@ -155,8 +159,6 @@ pub(super) fn effects(
         }
         let error = known.iter().find(|one| one.quantity == quantity);
         let error = error.map(|one| one.error);
-        let has_value = |one: &&Assigned| value_of(&one.experiment).is_some();
-        let noise = problem.assigned.iter().find(has_value)?.noise;
         let is_relative = quantity.errs_in_proportion() && value != 0.0;
         let step = match error {
             // No Poisson ratio is above 0.5.
@@ -164,8 +166,12 @@ pub(super) fn effects(
             _ if quantity.is_poisson_ratio() => STEP,
             _ if is_relative => STEP * value.abs(),
             Some(error) => error,
-            // A zero is known to some noise of a reading.
-            None => noise,
+            // A zero is known to some noise of the readings whose zero it is.
+            None => {
+                let mut assigned = problem.assigned.iter();
+                let is_zero = |one: &&Assigned| one.experiment.is_zero_of_ordinates(quantity);
+                assigned.find(is_zero)?.noise
+            }
         };
         let moved = |step: f64| {
             let by = PART * step;
@@ -297,9 +303,11 @@ fn response<'u>(
         row *= *root;
     }
     let mut lengths: Vec<f64> = weighted.column_iter().map(|column| column.norm()).collect();
+    let ended = no_adhesion::ended_at_zero(problem);
     for (i, slot) in problem.slots.iter().enumerate() {
-        // A value at its bound stays there.
-        if slot.coordinate.is_at_bound(problem.value(i)) || lengths[i] == 0.0 {
+        // A value at its bound stays there, and a work of adhesion that ended at 0, as in the standard errors.
+        let stays = slot.coordinate.is_at_bound(problem.value(i)) || ended.contains(&i);
+        if stays || lengths[i] == 0.0 {
             weighted.column_mut(i).fill(0.0);
             lengths[i] = 1.0;
         }

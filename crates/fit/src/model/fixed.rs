@@ -219,7 +219,11 @@ impl Experiment {
             let is_kind = match one {
                 Fixed::Parameter(parameter) => {
                     let is_usual = parameter.is_positive() || one.is_poisson_ratio();
-                    (is_usual || self.is_zero_of_ordinates(*parameter))
+                    // A free level takes up a load offset.
+                    let is_zero = self.is_zero_of_ordinates(*one)
+                        && !(self.measurement.kind.at_positions()
+                            && free.contains(&Parameter::Baseline));
+                    (is_usual || is_zero)
                         && !free.contains(parameter)
                         && self.why_without_effect(*parameter).is_none()
                 }
@@ -240,14 +244,15 @@ impl Experiment {
         all
     }
 
-    /// Tells whether a parameter is the zero of the ordinates.
-    fn is_zero_of_ordinates(&self, parameter: Parameter) -> bool {
-        match self.measurement.kind {
-            Kind::LoadRadius | Kind::LoadPenetration => parameter == Parameter::LoadOffset,
-            Kind::PenetrationRadius => parameter == Parameter::ContactPoint,
-            Kind::ForceHeight => parameter == Parameter::Baseline,
-            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => false,
-        }
+    /// Tells whether a value is the zero of the ordinates.
+    pub(crate) fn is_zero_of_ordinates(&self, one: Fixed) -> bool {
+        let zero = match self.measurement.kind {
+            Kind::LoadRadius | Kind::LoadPenetration => Parameter::LoadOffset,
+            Kind::PenetrationRadius => Parameter::ContactPoint,
+            Kind::ForceHeight => Parameter::Baseline,
+            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => return false,
+        };
+        one == Fixed::Parameter(zero)
     }
 
     /// Returns a value that a fit takes as given; `None` where there is none, and for the Poisson
@@ -300,9 +305,7 @@ impl Experiment {
         let wrong = |allowed: &'static str| Err(self.wrong_setting(one.name(), value, allowed));
         match (one, self.value_of(one)) {
             (Fixed::Scale(_), _) => {
-                return wrong(
-                    "left out: it is 1, and readings that are off are multiplied in the data",
-                );
+                return wrong("left out: it is 1; multiply readings that are off in the data");
             }
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
@@ -390,9 +393,10 @@ impl Experiment {
     /// Multiplies all readings of a quantity, from their zero. Of contact radii the speeds of the contact line follow.
     fn multiply_readings(&mut self, scale: Scale, factor: f64) {
         let [abscissa, ordinate] = self.measurement.kind.scales();
-        let first = match abscissa {
-            Scale::Penetration | Scale::Height => self.contact_point,
-            Scale::ContactRadius | Scale::Load | Scale::ContactStiffness => 0.0,
+        let first = if self.measurement.kind.at_positions() {
+            self.contact_point
+        } else {
+            0.0
         };
         let mut points = std::mem::take(&mut self.measurement.points);
         for point in &mut points {

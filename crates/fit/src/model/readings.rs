@@ -42,7 +42,9 @@ impl Experiment {
         match self.measurement.kind {
             Kind::LoadRadius => self.load_offset,
             Kind::PenetrationRadius => self.contact_point,
-            _ => {
+            // The zeros of loads and depths are not its own.
+            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => 0.0,
+            Kind::LoadPenetration | Kind::ForceHeight => {
                 self.load_offset
                     + self.baseline
                     + self.baseline_slope * (abscissa - self.contact_point)

@@ -151,7 +151,7 @@ pub fn three_digits(value: f64, unit: &str) -> String {
         return format!("0 {unit}");
     }
     if number < 1e-3 {
-        return format!("{value:.2e} {unit}");
+        return format!("{number:.2e} {unit}");
     }
     let decimals = decimals_of_three(number);
     format!("{number:.decimals$} {unit}")
@@ -199,5 +199,7 @@ mod tests {
         assert_eq!(scaled("m", -2.5e-7), ("nm".to_owned(), 1e-9));
         assert_eq!(scaled("1", 0.5), (String::new(), 1.0));
         assert_eq!(scaled("N", 0.0), ("N".to_owned(), 1.0));
+        assert_eq!(three_digits(2.5e-8, "m"), "25.0 nm");
+        assert_eq!(three_digits(1.15e-19, "N"), "1.15e-7 pN");
     }
 }

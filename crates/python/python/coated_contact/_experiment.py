@@ -116,9 +116,9 @@ class Experiment(Remade, OneLine):
         Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
     from_deflection : bool
         Whether the ordinates are this ``stiffness`` times a measured deflection, as
-        :func:`read_experiment` finds for deflections, and for forces in a file whose head names
-        this stiffness; then what is known of the stiffness holds for the forces,
-        too. Another stiffness needs other ordinates: read the file again.
+        :func:`read_experiment` finds for deflections, and for forces beside separations or in a
+        file whose head names this stiffness; then what is known of the stiffness holds for the
+        forces, too. Another stiffness needs other ordinates: read the file again.
     noise : float or array_like, optional
         Standard deviation of an ordinate, N or m, or one for each point; None estimates it from
         the residuals. One number for a contact stiffness is relative to it, 0.01 is 1 %.

@@ -422,6 +422,11 @@ impl<'a> Score<'a> {
                  series with the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
                  load/stiffness from the penetrations, or fit them as heights with the stiffness"
             ),
+            Some(given) if experiment.from_deflection => format!(
+                "{name}: deflections {:.3} times as large would lower chi^2 by {gain:.0}, more than any zero: check the \
+                 sensitivity of the detector",
+                given / stiffness
+            ),
             Some(given) => format!(
                 "{name}: a stiffness of some {stiffness:.2e} N/m in place of {given:.2e} would lower chi^2 by {gain:.0}, \
                  more than any zero: check it, or free it (stiffness)"

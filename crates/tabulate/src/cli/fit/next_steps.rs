@@ -31,6 +31,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let spring = if experiments.iter().any(of_penetrations) {
         "positions of a stage beside a load cell or frame: --kind force-height --stiffness 1kN/m, its stiffness, --column \
          \"height=-HEADING [UNIT]\", and --free ...,contact-point; a stiffness that is not known: --free ...,stiffness"
+    } else if experiments.iter().any(|one| one.from_deflection) {
+        "the sensitivity of a deflection in volts: --sensitivity 50nm/V; its error: --known load=+-3%"
     } else {
         "a stiffness that is not known: --free ...,stiffness"
     };
@@ -62,7 +64,7 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         ),
         (
             WarningKind::Calibration,
-            "the error of a given value or of a calibration: --known film-thickness=+-1%, --known contact-radius=+-0.5%",
+            "the error of a given value or of a calibration: --known NAME=+-1%, and of a Poisson ratio --known NAME=+-0.01",
         ),
         (WarningKind::SpringWanted, spring),
         (
