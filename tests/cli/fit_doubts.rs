@@ -98,7 +98,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} film-modulus=3MPa+-1kPa --value film-modulus=3MPa | film-modulus; twice; film-modulus=+-3%
         1 | {known} film-thickness=+-3e-2 | known film-thickness; 0.03; at most its value
         1 | {known} film-thickness=+-300% | known film-thickness; at most its value
-        1 | {known} height=+-1% | known height; not given; a value that the measurement has
+        1 | {known} height=+-1% | known height; not given; a quantity that is read
         1 | {known} layer-1.modulus=+-1% | known layer-1.modulus; not given; a value that the measurement has
         1 | {known} load=+-2 | known load; at most 1; 0.02 is 2 %
         1 | {known} load=1.02+-1% | load of data.csv = 1.02; left out: it is 1
@@ -171,7 +171,7 @@ fn the_error_of_a_stiffness_is_that_of_the_forces_made_with_it() {
     }
     let free = "--free film-modulus,contact-point,baseline,stiffness";
     workdir.refuses(format!(
-        "1 | fit head.csv {gel} {free} --work-of-adhesion 50uJ/m^2 | stiffness; turns a deflection into a force; fix it"
+        "1 | fit head.csv {gel} {free} --work-of-adhesion 50uJ/m^2 | stiffness; the deflection times it; the head of the file; fix it"
     ));
 }
 

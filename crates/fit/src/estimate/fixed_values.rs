@@ -74,7 +74,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
         // A body that is rigid in one measurement may not be in another.
         let finite = values.clone().find(|value| value.is_finite());
         let Some(first) = finite.or_else(|| values.next()) else {
-            let allowed = "of a value that the measurement has: check its name and the bodies";
+            let allowed = match quantity {
+                Fixed::Scale(_) => "of a quantity that is read",
+                _ => "of a value that the measurement has: check its name and the bodies",
+            };
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);

@@ -253,7 +253,8 @@ pub(crate) fn prepare(
             experiment.work_of_adhesion_receding.get_or_insert(work);
         }
         if experiment.from_deflection && is_free(Parameter::Stiffness) {
-            let reason = "it turns a deflection into a force: fix it, and state its standard error";
+            let reason = "the forces are the deflection times it, by their column or the head of the file: fix it, and state its \
+                          standard error";
             return Err(experiment.not_applicable(Parameter::Stiffness, reason));
         }
         for work in Parameter::WORKS {
