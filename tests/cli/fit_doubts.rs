@@ -106,7 +106,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         2 | {known} half-angle=+-2 | \"2\"; is an angle without a unit; 2deg
         2 | {known} half-angle=+-2mm | is a length; an angle is wanted
         1 | {known} half-angle=+-2deg | known half-angle; not given; check its name and the bodies
-        1 | {known} half-angle=71deg+-2deg --probe cone --half-angle 70 | --half-angle; two values of one quantity
+        1 | {known} half-angle=71deg+-2deg --probe cone --half-angle 70 | --half-angle 70deg; half-angle=71deg; two values of one quantity
         2 | {known} force=+-1% | no value of a fit; contact-radius, penetration, height, load
         1 | fit data.csv --sphere-modulus 2MPa --free work-of-adhesion --known film-thickness=+-3% | --film-thickness is missing
         1 | fit data.csv --film-thickness 3e-5 --specimen paper --free work-of-adhesion,work-of-adhesion-receding | work-of-adhesion-receding; directions; --segments split

@@ -73,13 +73,13 @@ def fit(
         ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``half_angle``,
         ``substrate_modulus`` and ``substrate_poisson_ratio``, and ``beta`` of a contact
         stiffness. ``{"load": 0.02}`` is a calibration by which all loads err together, by 2 %;
-        ``contact_radius``,
-        ``penetration``, ``height`` and ``contact_stiffness`` have one, too. The fit keeps the
-        values, and their errors add to the standard errors and the correlation: to the first
-        order, independent of one another. Where experiments have different values, the error is
-        that of the first, and the others err in proportion; Poisson ratios and zeros are off by
-        the same number. ``reference_modulus`` and ``reference_poisson_ratio`` are those of a
-        sample without layers. A prior of a :class:`Free` instead lets the data move a free value.
+        ``contact_radius``, ``penetration``, ``height`` and ``contact_stiffness`` have one, too.
+        The fit keeps the values, and their errors add to the standard errors and the
+        correlation: to the first order, independent of one another. Where experiments have
+        different values, the error is that of the first, and the others err in proportion;
+        Poisson ratios and zeros are off by the same number. ``reference_modulus`` and
+        ``reference_poisson_ratio`` are those of a sample without layers. A prior of a
+        :class:`Free` instead lets the data move a free value.
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
     allow : iterable of {"magnitudes", "left-out"}

@@ -64,15 +64,16 @@ pub(crate) fn uncertainty(problem: &Problem<'_>) -> Option<Uncertainty> {
     /// The part of [`NO_ADHESION`] by which they change a load.
     const NEXT_TO_NOTHING: f64 = 0.1;
     let ended = ended_at_zero(problem);
+    if ended.is_empty() {
+        return None;
+    }
     let mut place = problem.clone();
     for &slot in &ended {
         let work = work_of_part(problem, slot, NEXT_TO_NOTHING * NO_ADHESION)?;
         let work = work.max(problem.value(slot));
         place.x[slot] = problem.slots[slot].coordinate.of(work);
     }
-    if ended.is_empty() || place.update().is_err() {
-        return None;
-    }
+    place.update().ok()?;
     Some(Uncertainty::of(&place)?.holding(&ended))
 }
 

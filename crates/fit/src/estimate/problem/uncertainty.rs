@@ -97,7 +97,8 @@ impl Uncertainty {
         }
     }
 
-    /// Returns the uncertainty of the other values with these slots held at their values. Their own errors stay.
+    /// Returns the uncertainty of the other values with these slots held at their values. The own error of the first of them
+    /// stays; that of a further one is told with the ones before it held.
     pub fn holding(mut self, held: &[usize]) -> Self {
         for (k, &slot) in held.iter().enumerate() {
             let direction = self.factor.column(slot).normalize();

@@ -13,18 +13,18 @@ pub(in crate::estimate) fn doubts(
 ) -> Vec<Warning> {
     let doubt = |(i, estimate): (usize, &Estimate)| {
         let parameter = estimate.parameter;
+        // Others are of the instrument.
+        let is_of_contact = parameter.is_of_bodies() || parameter.is_work_of_adhesion();
+        if !is_of_contact || !parameter.is_positive() {
+            return None;
+        }
         let least = (LARGE * estimate.value).max(estimate.standard_error);
         let size = |one: &FixedValue| one.changes[i].abs();
         let is_large = |one: &&FixedValue| {
             let is_zero = !one.quantity.errs_in_proportion() && !one.quantity.is_poisson_ratio();
             !is_zero && one.error.is_none() && size(one) > least
         };
-        // Others are of the instrument.
-        let is_of_contact = parameter.is_of_bodies() || parameter.is_work_of_adhesion();
-        let of_contact = fixed_values
-            .iter()
-            .filter(|_| is_of_contact && parameter.is_positive());
-        let mut rows: Vec<_> = of_contact.filter(is_large).collect();
+        let mut rows: Vec<_> = fixed_values.iter().filter(is_large).collect();
         rows.sort_by(|one, other| size(other).total_cmp(&size(one)));
         let (first, others) = rows.split_first()?;
         let by = 1e2 * first.changes[i] / estimate.value;
@@ -39,8 +39,8 @@ pub(in crate::estimate) fn doubts(
             names => format!(", and by more than {:.0} % with {names}", 1e2 * LARGE),
         };
         Some(WarningKind::Calibration.with(format!(
-            "{parameter} changes by {by:+.0} % with {step} of {}{others}: its standard error holds nothing of that, unless \
-             the errors of these values are given",
+            "{parameter} changes by {by:+.0} % with {step} of {}{others}: its standard error holds nothing of that; give \
+             the errors of such values",
             first.quantity.name()
         )))
     };

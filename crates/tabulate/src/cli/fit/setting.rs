@@ -91,6 +91,10 @@ impl Given {
             return Ok(());
         };
         let name = self.quantity.name();
+        let text = |value: f64| match self.quantity {
+            Fixed::HalfAngle => format!("{}deg", (value.to_degrees() * 1e9).round() / 1e9),
+            _ => format!("{value:?}"),
+        };
         let of_bodies = Value::ALL.map(|value| {
             let given = flags.bodies.system.given(value);
             (value.flag(), flags.fixed(value), given)
@@ -110,14 +114,17 @@ impl Given {
             if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
             {
                 bail!(
-                    "{flag} {other:?} and --known {name}={known:?} are two values of one quantity: leave one of them out"
+                    "{flag} {} and --known {name}={} are two values of one quantity: leave one of them out",
+                    text(other),
+                    text(known)
                 );
             }
         }
         ensure!(
             values.iter().all(|one| one.quantity != self.quantity),
-            "--value {name} and --known {name}={known:?} give one quantity twice: leave the value out of --known, such \
-             as {name}=+-3%"
+            "--value {name} and --known {name}={} give one quantity twice: leave the value out of --known, such as \
+             {name}=+-3%",
+            text(known)
         );
         Ok(())
     }
