@@ -131,7 +131,7 @@ fn the_error_and_the_doubts_are_stated() {
     // A second approach is followed by elements, whose error is told.
     let again = "--program 'penetration 0:0 1:100nm 2:0 3:100nm' --points=3";
     let run = workdir.answer(format!("{GEL} {again}"));
-    assert!(run.stderr.starts_with("# estimated error: "), "{run:?}");
+    assert!(run.stderr.contains("\n# estimated error: "), "{run:?}");
     let soft = "--substrate-modulus=20kPa";
     let gel = GEL.replace("--substrate-modulus=inf", soft);
     let error = workdir.fail(1, format!("{gel} {PROGRAM}"));

@@ -202,6 +202,26 @@ fn a_film_that_is_compressed_too_much_is_told_of() {
     }
 }
 
+/// A tenth of the load by 0.1 pi E* a/6 on a half-space.
+#[test]
+fn a_surface_tension_that_would_matter_is_told_of() {
+    let workdir = workdir!();
+    let bodies = "--half-space --film-poisson-ratio 0.5 --sphere-radius 10um --sphere-modulus inf";
+    let curve = |rest: &str| workdir.answer(format!("curve {bodies} --from 1um --to 5um {rest}"));
+    let gel = "--film-modulus 5kPa --work-of-adhesion 0J/m^2";
+    assert_names(&curve(gel).stderr, "surface tension. One of 1.7e-3 N/m");
+    let rubber = curve("--film-modulus 1MPa --work-of-adhesion 0J/m^2");
+    assert!(!rubber.stderr.contains("surface tension"), "{rubber:?}");
+    let pulled = workdir.answer(format!(
+        "pull-off {bodies} --film-modulus 5kPa --work-of-adhesion 0.1mJ/m^2"
+    ));
+    let tension = 0.1 * PI * 2e4 / 3.0 * value(&pulled.stdout, "contact_radius") / 6.0;
+    assert_names(
+        &pulled.stderr,
+        &format!("surface tension. One of {tension:.1e} N/m"),
+    );
+}
+
 /// DMT's 2 pi w R under a long range, JKR's 1.5 pi w R on a thick film, and the load of the paper's film, a sliding film and a
 /// contact that sticks there and back.
 #[test]

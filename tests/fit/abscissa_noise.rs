@@ -79,11 +79,7 @@ fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
     recover("radius, not known", &unknown, 103, &[], with_noise);
     // A first model that is too stiff takes the points for farther off than they are.
     let film = film_between_rigid_bodies();
-    let expected = [
-        WarningKind::LargeStrain,
-        WarningKind::Friction,
-        WarningKind::AssumesBonding,
-    ];
+    let expected = [WarningKind::LargeStrain, WarningKind::Friction];
     recover(
         "film, radius noise",
         &film,

@@ -8,8 +8,8 @@ use fit::{Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, Warni
 use interp::Probe;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, LENS, assert_silent, assert_warned, assert_warns, doubts,
-    fit_with, free_of, half_space, lens, measurement, number_after, off, text,
+    Course, FORCE_CURVE, Imagined, LENS, assert_no_doubts, assert_silent, assert_warned,
+    assert_warns, fit_with, free_of, half_space, lens, measurement, number_after, off, text,
 };
 
 const RADIUS: f64 = 10e-6;
@@ -252,7 +252,7 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
         let elastic = |x: f64| hertz(1e4, x);
         let experiment = pressed(elastic, elastic, [5e-7, 1e-3 * elastic(5e-7)], seed);
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
-        assert!(doubts(&found, &[]).is_empty(), "{:?}", found.warnings);
+        assert_no_doubts(&found, &[]);
     }
 }
 

@@ -99,11 +99,14 @@ pub fn doubts<'a>(found: &'a Fit, expected: &[WarningKind]) -> Vec<&'a Warning> 
         .collect()
 }
 
-/// Asserts that a fit has no warnings but those of the `expected` kinds, and that a film is taken as
-/// bonded.
+/// What is said of sound data on soft bodies: that a film is taken as bonded, and which surface tension would matter.
+pub const OF_SOFT_FILMS: [WarningKind; 2] =
+    [WarningKind::AssumesBonding, WarningKind::SurfaceTension];
+
+/// Asserts that a fit has no warnings but those of the `expected` kinds and of [`OF_SOFT_FILMS`].
 #[track_caller]
 pub fn assert_no_doubts(found: &Fit, expected: &[WarningKind]) {
-    let expected = [expected, &[WarningKind::AssumesBonding]].concat();
+    let expected = [expected, &OF_SOFT_FILMS].concat();
     let doubts = doubts(found, &expected);
     assert!(doubts.is_empty(), "{doubts:?}");
 }

@@ -88,7 +88,14 @@ fn a_plan_outside_the_model_is_told_as_its_fit_is() {
     let of_plan = planned.broken_assumptions(Table::embedded());
     let of_plan = of_plan.expect("sound");
     let kinds: Vec<WarningKind> = of_plan.iter().map(|one| one.kind).collect();
-    assert_eq!(kinds, [WarningKind::LargeContact, WarningKind::LargeStrain]);
+    assert_eq!(
+        kinds,
+        [
+            WarningKind::LargeContact,
+            WarningKind::SurfaceTension,
+            WarningKind::LargeStrain
+        ]
+    );
     let expected = forecast(Table::embedded(), &[planned], &probe.free).expect("sound");
     assert_eq!(expected.warnings[..of_plan.len()], of_plan);
     let found = probe.fit(1);

@@ -7,7 +7,7 @@ use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
 use rayon::prelude::*;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, LENS, doubts, fit_all, half_space, lens, of_file,
+    Course, FORCE_CURVE, Imagined, LENS, OF_SOFT_FILMS, doubts, fit_all, half_space, lens, of_file,
 };
 use Parameter::{
     Baseline, BaselineSlope, ContactPoint, FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion,
@@ -68,14 +68,12 @@ pub fn assert_coverage(
         let is_usual = expected.contains(&kind) || count <= most;
         assert!(is_usual, "{name}: {count} {kind:?}");
     }
-    // All films of this file are bonded.
     let known = [
-        WarningKind::AssumesBonding,
         WarningKind::StructuredResiduals,
         WarningKind::OffsetHinted,
         WarningKind::RadiusNoise,
     ];
-    let expected = [expected, &known].concat();
+    let expected = [expected, &known, &OF_SOFT_FILMS].concat();
     let unexpected: Vec<_> = fits.iter().flat_map(|fit| doubts(fit, &expected)).collect();
     // Each of some ten tests for doubts in a fit has a chance of 7e-6 of a false alarm.
     assert!(unexpected.is_empty(), "{name}: {unexpected:?}");

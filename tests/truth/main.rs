@@ -34,4 +34,5 @@ mod stick_effects;
 mod stick_errors;
 mod stick_layers;
 mod stick_limits;
+mod surface_tension;
 mod viscoelastic;

@@ -10,8 +10,8 @@
 //!
 //! `shape` knows the shape of the probe, which only the contact without adhesion depends on.
 //! `equilibria` finds the states under a load, a penetration or a spring, and `measured` starts from measured values.
-//! `gradient` differentiates, `validity` compares a contact with the limits of the model, and `magnitude` its numbers with
-//! what contacts have. `line` moves the contact line by other laws than eq. 8. `cohesive_zone` corrects for a short cohesive
+//! `gradient` differentiates, `validity` and `zone_size` compare a contact with the limits of the model, and `magnitude` its
+//! numbers with what contacts have. `line` moves the contact line by other laws than eq. 8. `cohesive_zone` corrects for a short cohesive
 //! zone by the `line_energy` of such a law. `history` holds bodies that relax. `root` finds zeros for all of them.
 
 #![forbid(unsafe_code)]
@@ -34,6 +34,7 @@ mod measured;
 mod root;
 mod shape;
 mod validity;
+mod zone_size;
 
 pub use cohesive_zone::{CohesiveState, CohesiveZone, ShortZone};
 pub use contact::{Contact, State};
@@ -46,4 +47,5 @@ pub use history::{
 pub use line::{ContactLine, CrackTip, Hysteresis, RateDependent, TimedState};
 pub use measured::{FilmBias, JkrFit, JkrPoint, work_of_adhesion_at_pull_off};
 pub use root::root;
-pub use validity::{FilmValidity, Neglected, Validity, ZoneSize};
+pub use validity::{FilmValidity, Neglected, Validity};
+pub use zone_size::ZoneSize;

@@ -266,6 +266,7 @@ impl Contact {
         number("shape", |validity| validity.shape)?;
         number("sideways", |validity| validity.sideways)?;
         number("probe_share", |validity| validity.probe_share)?;
+        number("surface_tension", |validity| validity.surface_tension)?;
         let film = |row: &Option<Validity>| row.and_then(|validity| validity.film);
         let number = |name, of: fn(FilmValidity) -> f64| {
             let column = rows.iter().map(|row| film(row).map_or(f64::NAN, of));

@@ -160,6 +160,8 @@ def test_validity_in_closed_form(contact, jkr):
     on_half_space = jkr.validity(65e-6)
     assert (on_half_space.a_over_t, on_half_space.is_confined) == (None, None)
     assert on_half_space.a_over_r == pytest.approx(0.065)
+    expected = 0.1 * pi / 6 * MODULUS * 65e-6
+    assert on_half_space.surface_tension == pytest.approx(expected, rel=1e-9)
     with pytest.raises(cc.InputError):
         contact.validity(1.0)
     assert np.isnan(contact.validity([1.0], errors="nan").a_over_r).all()

@@ -393,6 +393,8 @@ named! {
         LargeContact = "large-contact",
         /// An attraction whose range is not small: Tabor's parameter is below 5.
         LongRange = "long-range",
+        /// Bodies so soft and contacts so small that surface tension, which the model leaves out, may change the loads.
+        SurfaceTension = "surface-tension",
         /// A film that is compressed by a large part of its thickness.
         LargeStrain = "large-strain",
         /// A film stiffer than its substrate that is bent by a large part of its thickness.

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::statistics::extremes;
-use crate::{ContactDepth, Experiment, Fit, FittedExperiment, Kind, LayerQuantity, Parameter};
+use crate::{ContactDepth, Experiment, Fit, FittedExperiment, Kind};
 
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
@@ -24,43 +23,19 @@ pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     rows
 }
 
-/// Returns the range of the contact radii of each measurement of a contact stiffness, over the
-/// thickness of its film or top layer, and the loss tangent.
-pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
-    let mut lines = Vec::new();
-    for (fitted, experiment) in fit.experiments.iter().zip(experiments) {
-        if !experiment.measurement.kind.is_stiffness() {
-            continue;
-        }
-        let name = &fitted.name;
-        if let Some([least, most]) = a_over_t(fit, fitted, experiment) {
-            lines.push(format!(
-                "{name}: contact radius over thickness from {least:.3} to {most:.3}"
-            ));
-        }
-        if let Some(loss) = fitted.loss {
-            lines.push(format!(
-                "{name}: loss tangent {:.4} +- {:.4}; the modulus of the film is the absolute value, \
-                 {:.4} of which is the storage modulus and {:.4} the loss modulus",
-                loss.tangent(),
-                loss.tangent_error(),
-                loss.angle.cos(),
-                loss.angle.sin()
-            ));
-        }
-    }
-    lines
-}
-
-/// Returns the smallest and the largest contact radius of the points of an experiment over the
-/// thickness of its film or top layer; `None` on a half-space, or where no point is in contact.
-pub fn a_over_t(fit: &Fit, fitted: &FittedExperiment, experiment: &Experiment) -> Option<[f64; 2]> {
-    let free = match experiment.bodies.top_name() {
-        Some(top) => Parameter::Layer(top, LayerQuantity::Thickness),
-        None => Parameter::FilmThickness,
+/// Returns the loss tangent of each measurement of a contact stiffness that has one.
+pub(super) fn lines(fit: &Fit) -> Vec<String> {
+    let line = |fitted: &FittedExperiment| {
+        let loss = fitted.loss?;
+        Some(format!(
+            "{}: loss tangent {:.4} +- {:.4}; the modulus of the film is the absolute value, {:.4} of which is the storage \
+             modulus and {:.4} the loss modulus",
+            fitted.name,
+            loss.tangent(),
+            loss.tangent_error(),
+            loss.angle.cos(),
+            loss.angle.sin()
+        ))
     };
-    let found = fit.estimate(free).map(|one| one.value);
-    let thickness = found.or(experiment.bodies.top_thickness())?;
-    let [least, most] = extremes(fitted.points.iter().filter_map(|one| one.contact_radius));
-    (most > 0.0).then(|| [least, most].map(|radius| radius / thickness))
+    fit.experiments.iter().filter_map(line).collect()
 }

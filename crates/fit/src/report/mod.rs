@@ -6,6 +6,7 @@
 //! given do, `line_speed` the adhesion over the speed of contact lines, and [`jkr_plot`] returns the points of the reduced JKR plot.
 
 mod agreement;
+mod contact_radii;
 mod fixed_values;
 mod indentation;
 mod jkr_plot;
@@ -15,7 +16,7 @@ mod relaxing;
 mod text;
 mod unit;
 
-pub use self::indentation::a_over_t;
+pub use self::contact_radii::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::line_speed::{LinePlot, line_plot, line_speeds};
 pub use self::text::{expected, reading, report};

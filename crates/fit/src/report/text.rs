@@ -7,7 +7,7 @@ use interp::{Elastic, Probe};
 use super::agreement::agreement;
 use super::name::{NAME, name};
 use super::unit::{UnitOf, given, scaled, value};
-use super::{fixed_values, indentation, line_speed, relaxing};
+use super::{contact_radii, fixed_values, indentation, line_speed, relaxing};
 use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
@@ -53,9 +53,10 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
             out += &format!("{}: left out {groups}\n", one.name);
         }
     }
-    let of_kinds = indentation::lines(fit, experiments);
-    for text in of_kinds
+    let radii = contact_radii::lines(fit, experiments);
+    for text in radii
         .into_iter()
+        .chain(indentation::lines(fit))
         .chain(relaxing::lines(fit, experiments))
         .chain(line_speed::lines(fit))
     {

@@ -210,8 +210,9 @@ impl Bodies {
     }
 
     /// Notes on standard error that a contact of radius `a` (m) compresses the film by more than [`Validity::SMALL`] of
-    /// its thickness, or bends it by more than [`Validity::WARNING_BENDING`]. Without a `contact`, one film is solved there; of a stack nothing is said.
-    pub fn note_strain(&self, contact: Option<&Contact>, a: f64) {
+    /// its thickness, bends it by more than [`Validity::WARNING_BENDING`], or would bear a tenth more with a surface tension
+    /// of less than [`Validity::WARNING_SURFACE_TENSION`]. Without a `contact`, one film is solved there; of a stack nothing is said.
+    pub fn note_validity(&self, contact: Option<&Contact>, a: f64) {
         /// The part of the radius from which on the curve is solved, and its tolerance: two digits are shown.
         const BEGIN: f64 = 0.9;
         const TOLERANCE: f64 = 1e-4;
@@ -228,10 +229,17 @@ impl Bodies {
         let validity = contact
             .or(solved.as_ref())
             .map(|contact| contact.validity(a));
-        let Some(Ok(Validity {
-            film: Some(film), ..
-        })) = validity
-        else {
+        let Some(Ok(validity)) = validity else {
+            return;
+        };
+        if validity.surface_tension < Validity::WARNING_SURFACE_TENSION {
+            note(&format!(
+                "The model has no surface tension. One of {:.1e} N/m would raise the load of a contact of radius {a:.3e} m without \
+                 adhesion by a tenth at its penetration; gels and elastomers in air have 0.02 to 0.07 N/m, in their liquid far less.",
+                validity.surface_tension
+            ));
+        }
+        let Some(film) = validity.film else {
             return;
         };
         if film.bending > Validity::WARNING_BENDING {

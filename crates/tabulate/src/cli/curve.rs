@@ -140,7 +140,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Source::Solves(slopes) => slopes.as_deref(),
         Source::Range(_) => None,
     };
-    bodies.note_strain(contact, to);
+    bodies.note_validity(contact, to);
     if let Some(contact) = contact {
         note_no_disc(contact, [from, to], states.work_of_adhesion);
     }

@@ -152,7 +152,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
-        bodies.note_strain(contact.as_ref(), state.contact_radius);
+        bodies.note_validity(contact.as_ref(), state.contact_radius);
         if sticks.is_none() {
             friction::note_size(&bodies, state.contact_radius, true);
         }

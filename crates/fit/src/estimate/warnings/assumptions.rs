@@ -115,6 +115,15 @@ fn doubts(
             slope.recip().atan().to_degrees()
         )));
     }
+    if validity.surface_tension < Validity::WARNING_SURFACE_TENSION {
+        warnings.push(WarningKind::SurfaceTension.with(format!(
+            "{name}: a surface tension of {:.1e} N/m would raise the load of the widest contact without adhesion by a tenth at its \
+             penetration, and those of smaller ones by more, and the model has none. Gels and elastomers in air have 0.02 \
+             to 0.07 N/m, the cortex of a cell 1e-4 to 1e-3 N/m, a gel in its liquid hardly any: where it matters, the modulus \
+             falls with wider contacts and larger spheres",
+            validity.surface_tension
+        )));
+    }
     let film = validity.film;
     if let Some(film) = film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies.have_film() {

@@ -136,7 +136,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let radii = course.states.iter().map(|at| at.state.contact_radius);
     let widest = radii.fold(0.0, f64::max);
     bodies.note_large_contact(widest);
-    bodies.note_strain(Some(&contact), widest);
+    bodies.note_validity(Some(&contact), widest);
     if widest > 0.0 {
         /// The part of the widest radius from which on contacts are tried.
         const FIRST: f64 = 1e-2;
