@@ -47,6 +47,8 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | curve --probe cone --half-angle 70 --sphere-radius 1um | no --sphere-radius; rounded-cone
         2 | curve --probe cone --half-angle 1.2 | 1.2rad; degrees; 68.7549; 1.2deg
         2 | curve --probe cone --half-angle 70um | 70um; length; degrees
+        1 | curve --probe pyramid --half-angle 20 | --probe cone --half-angle 23.08; 20 degrees
+        1 | curve --probe berkovich | --probe cone --half-angle 70.3
         1 | curve --probe flat-punch --from 1um --to 5um | --sphere-radius; leave out --from
         1 | curve --from 200um | --from; 0.0002; --to, which is not given
         1 | curve --sphere-radius 5nm --film-thickness 1cm | contact radius 1.5e-9 m; 1e-8 m; --half-space

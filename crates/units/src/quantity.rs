@@ -161,6 +161,9 @@ mod tests {
             ("30nm/V", Dimension::LengthPerVoltage, 3e-8),
             ("12 deg", Dimension::Angle, 12.0_f64.to_radians()),
             ("1 g", Dimension::Force, 9.80665e-3),
+            ("2 mil", Dimension::Length, 5.08e-5),
+            ("1 kgf/mm2", Dimension::Modulus, 9.80665e6),
+            ("1 bar", Dimension::Modulus, 1e5),
         ] {
             assert_eq!(Quantity::read(text, Some(wanted)), Ok(value), "{text}");
         }

@@ -33,6 +33,9 @@ pub enum Shape {
     PowerLaw,
     /// The points of --profile
     Profile,
+    /// Refused, with the cone in its place
+    #[value(hide = true, alias = "berkovich", alias = "vickers")]
+    Pyramid,
 }
 
 /// The flags of the shape.
@@ -76,9 +79,14 @@ impl ProbeArguments {
             self.probe,
             Shape::Cone | Shape::RoundedCone | Shape::FlatEndedCone
         );
+        let pyramid = self.probe == Shape::Pyramid && self.half_angle.is_some();
         let (power, measured) = (self.probe == Shape::PowerLaw, self.probe == Shape::Profile);
         let flags = [
-            ("--half-angle", self.half_angle.is_some(), conical),
+            (
+                "--half-angle",
+                self.half_angle.is_some(),
+                conical || pyramid,
+            ),
             ("--exponent", self.exponent.is_some(), power),
             ("--coefficient", self.coefficient.is_some(), power),
             ("--profile", self.profile.is_some(), measured),
@@ -117,6 +125,7 @@ impl ProbeArguments {
                 coefficient: self.coefficient.unwrap_or_default(),
                 exponent: self.exponent.unwrap_or_default(),
             },
+            Shape::Pyramid => bail!(cone_of_pyramid(self.half_angle.unwrap_or(17.5))),
             Shape::Profile => {
                 let path = self.profile.as_deref().unwrap_or_else(|| Path::new(""));
                 let profile = profile(path).with_context(|| path.display().to_string())?;
@@ -124,6 +133,17 @@ impl ProbeArguments {
             }
         })
     }
+}
+
+/// Says which cone has the load of a pyramid on a half-space (Bilodeau, J. Appl. Mech. 59, 519, 1992), whose faces make an
+/// angle (degrees) with the axis.
+fn cone_of_pyramid(face: f64) -> String {
+    const WIDER: f64 = 1.171;
+    let cone = (WIDER * face.to_radians().tan()).atan().to_degrees();
+    format!(
+        "a pyramid is taken for a cone: --probe cone --half-angle {cone:.2} for four faces that make {face} degrees with the axis, \
+         and --probe cone --half-angle 70.3 for a Berkovich or Vickers indenter"
+    )
 }
 
 /// The first words of the headings of a measured shape: of distances from the axis, and of heights.
