@@ -158,7 +158,6 @@ pub(crate) fn special(text: &str) -> Option<Unit> {
         "dyn/cm" | "erg/cm^2" | "erg/cm2" | "erg/cm\u{b2}" => (Dimension::ForcePerLength, 1e-3),
         "dyn/cm^2" | "dyn/cm2" | "dyn/cm\u{b2}" => (Dimension::Modulus, 0.1),
         "psi" => (Dimension::Modulus, 6894.757293168361),
-        "bar" => (Dimension::Modulus, 1e5),
         "kgf/mm^2" | "kgf/mm2" | "kgf/mm\u{b2}" => (Dimension::Modulus, 9.80665e6),
         "mil" | "mils" => (Dimension::Length, 2.54e-5),
         _ => return None,
