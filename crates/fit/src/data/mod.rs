@@ -21,7 +21,7 @@
 //! their headings, `cells` and `number` read a row, `heading` and `names` read a heading.
 //! `source` finds the column of a quantity, `deviation` that of
 //! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
-//! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
+//! what is measured. `rows` reads the rows, `row` the points of one, `segment` finds their directions, `points` joins and checks
 //! their points, `sign`, `tilt`, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a
 //! user can give where a file is not read.
 
@@ -41,6 +41,7 @@ mod number;
 mod points;
 mod reading;
 mod remedy;
+mod row;
 mod rows;
 mod segment;
 mod sign;

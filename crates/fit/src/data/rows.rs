@@ -2,8 +2,7 @@
 
 use std::io::BufRead;
 
-use super::assignment::{Assignment, Pair, assign, roles};
-use super::beside::beside;
+use super::assignment::{Assignment, assign, roles};
 use super::cells::{Delimiter, comment};
 use super::column::{Role, UNIT};
 use super::failure::DataError;
@@ -14,10 +13,10 @@ use super::lines::Lines;
 use super::number::{Cell, DecimalMark, Marks};
 use super::points::{Block, join};
 use super::remedy::{Remedy, named};
+use super::row::{Row, has_cells};
 use super::segment::Segment;
-use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
-use crate::{Direction, Kind, Point};
+use crate::{Direction, Kind};
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
@@ -237,20 +236,7 @@ impl Rows<'_> {
             return Ok(());
         }
         let block = self.blocks.last_mut().expect("there is the first block");
-        let expected = block.headings.len();
-        let extra = cells.iter().skip(expected);
-        if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
-            let found = cells.len();
-            let remedy = if found > expected {
-                "if a comma is the decimal mark, separate the cells by tabs or semicolons"
-            } else {
-                "complete the row, or let the line begin with # to leave it out"
-            };
-            let unlike = DataError::new(format!(
-                "the row has {found} cells, and the headings are {expected}; {remedy}"
-            ));
-            return Err(unlike.in_line(number).of_words());
-        }
+        has_cells(cells, block.headings.len()).map_err(|error| error.in_line(number))?;
         let word = block.word(cells);
         let Block {
             headings,
@@ -258,43 +244,20 @@ impl Rows<'_> {
             points,
             ..
         } = block;
-        let place = |index: usize, error: DataError| {
-            let heading = &headings[index].text;
-            error.in_line(number).in_column(index, heading)
+        let row = Row {
+            number,
+            cells,
+            headings,
         };
-        let failure = |index: usize, what: String| place(index, DataError::new(what));
         if let Some(word) = word {
-            let what = format!(
-                "{word:?} stands in a column that has only numbers above; if this row is no point, let the line \
-                 begin with # to leave it out, else remove the word"
-            );
-            return Err(failure(0, what).of_words());
+            return Err(row.is_no_point(word));
         }
-        let index = assignment.segment;
-        if let Some(index) = index.filter(|_| self.format.segments != Segments::Split) {
-            let word = cells[index];
-            // Where the cell is empty the segment is that of the row before.
-            if !word.is_empty() {
-                let segment = match &*word.to_lowercase() {
-                    // Where a history has no contact, or its line rests, it goes on in its way.
-                    "separated" | "resting" => {
-                        Some(Segment::Moving(self.moved.unwrap_or(Direction::Approach)))
-                    }
-                    _ => Segment::parse(word),
-                };
-                let unknown = || {
-                    let what = format!(
-                        "{word:?} is not a segment; write approach (extend, loading, 0), retract (unloading, 1) or \
-                         pause, or let the points be split where the motion turns back"
-                    );
-                    failure(index, what).with(Remedy::Split).of_words()
-                };
-                self.segment = Some(segment.ok_or_else(unknown)?);
-                // Before the surface is found there is no contact.
-                if assignment.kind.is_stiffness() && word.to_lowercase().contains("surface") {
-                    self.segment = Some(Segment::Pause);
-                }
-            }
+        let segments = assignment.segment;
+        if let Some(index) = segments.filter(|_| self.format.segments != Segments::Split) {
+            let is_stiffness = assignment.kind.is_stiffness();
+            self.segment = row
+                .segment(index, is_stiffness, self.moved)?
+                .or(self.segment);
         }
         let direction = match self.segment {
             Some(Segment::Pause) if self.format.keep_pauses => self.moved,
@@ -307,67 +270,16 @@ impl Rows<'_> {
             None => None,
         };
         self.moved = direction;
-        let is_stiffness = assignment.kind.is_stiffness();
-        let read = |pair: &Pair| {
-            let mut value = |source: &Source| {
-                value(&mut self.mark, cells[source.index], source)
-                    .map_err(|error| place(source.index, error))
-            };
-            let [abscissa, ordinate] = match [value(&pair.abscissa)?, value(&pair.ordinate)?] {
-                [Some(abscissa), Some(ordinate)] => [abscissa, ordinate],
-                [None, None] => return Ok(None),
-                // Not all rows of a nanoindenter have a stiffness.
-                [_, None] if is_stiffness => return Ok(None),
-                [None, _] => return Err(failure(pair.abscissa.index, MISSING.to_owned())),
-                [_, None] => return Err(failure(pair.ordinate.index, MISSING.to_owned())),
-            };
-            if assignment.kind.at_radii() && abscissa < 0.0 {
-                let what = format!(
-                    "contact radius = {abscissa:?} m must not be below 0; a row without contact has 0. If the numbers \
-                     are loads, exchange the headings of the two columns"
-                );
-                return Err(failure(pair.abscissa.index, what));
-            }
-            let abscissa = match pair.abscissa.role {
-                Role::ContactArea => (abscissa / std::f64::consts::PI).sqrt(),
-                _ => abscissa - pair.abscissa.compliance * ordinate,
-            };
-            let Some(beside) = beside(&pair.beside, ordinate, &mut value)? else {
-                return Ok(None);
-            };
-            let mut deviations = [None; 2];
-            for (k, source) in pair.errors.iter().enumerate() {
-                let Some(source) = source else { continue };
-                let what = match value(source)? {
-                    Some(own) if own > 0.0 || k == 0 && own == 0.0 => {
-                        deviations[k] = Some(own);
-                        continue;
-                    }
-                    Some(own) => format!(
-                        "standard deviation = {own:?} (SI) must be positive and finite, and may be 0 for a radius, \
-                         penetration or height; correct it, or rename the column if it is something else"
-                    ),
-                    None => MISSING.to_owned(),
-                };
-                return Err(failure(source.index, what));
-            }
-            let point = Point {
-                line: number,
-                abscissa,
-                ordinate,
-                direction: pair.direction.or(direction),
-            };
-            Ok(Some((point, deviations, beside)))
-        };
-        let found: Result<Vec<_>, _> = assignment.pairs.iter().map(read).collect();
-        let found = found?;
+        let pairs = assignment.pairs.iter();
+        let found = pairs.map(|pair| row.point(pair, assignment.kind, direction, &mut self.mark));
+        let found: Vec<_> = found.collect::<Result<_, _>>()?;
         self.count += 1;
         let mut beside = assignment.pairs.iter().flat_map(|pair| &pair.beside);
         let has_times = beside.any(|source| source.role == Role::Time);
         for (points, found) in points.iter_mut().zip(found) {
             match found {
                 Some((point, deviations, beside)) => {
-                    let is_known = is_stiffness || !beside.time.is_nan();
+                    let is_known = assignment.kind.is_stiffness() || !beside.time.is_nan();
                     if !is_known && has_times {
                         self.notes.untimed.get_or_insert(number);
                     }
@@ -409,41 +321,4 @@ impl Rows<'_> {
 /// Tells whether a cell is a word.
 fn is_word(cell: &&str) -> bool {
     DecimalMark::default().read(cell) == Cell::Text
-}
-
-/// What is wrong with a cell that has no number, where another cell of the row has one.
-const MISSING: &str = "the value is missing (empty, NaN or above 1e300), but the row has another; complete it, \
-     or let the line begin with # to leave it out";
-
-/// Returns the value of a cell in SI units; none if it is missing.
-fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f64>, DataError> {
-    let refused = |what: String| Err(DataError::new(what));
-    match mark.read(text) {
-        Cell::Number(value) => Ok(Some(value * source.factor)),
-        Cell::Missing => Ok(None),
-        Cell::Infinite => refused(format!(
-            "{text:?} is not finite; correct it, or let the line begin with # to leave it out"
-        )),
-        Cell::OtherMark => {
-            let remedy = match mark.thousands(text) {
-                Some(mark) => format!(
-                    "if {mark:?} parts thousands, remove it from all numbers (replace {mark:?} by nothing); else \
-                     write one decimal mark, point or comma"
-                ),
-                None => "use one, point or comma".to_owned(),
-            };
-            refused(format!(
-                "{text:?} has another decimal mark than numbers before it; {remedy}"
-            ))
-        }
-        Cell::Thousands => refused(format!(
-            "{text:?} has a separator of thousands; save the numbers without it"
-        )),
-        Cell::Text => {
-            let what = format!(
-                "{text:?} is not a number; correct it, or let the line begin with # to leave it out"
-            );
-            Err(DataError::new(what).of_words())
-        }
-    }
 }

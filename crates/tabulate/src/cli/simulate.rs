@@ -207,12 +207,60 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let [stack, profile] = arguments.known.bodies.files();
     let inputs = [arguments.table.path(), stack, profile];
     let output = Output::of_text(arguments.output.as_deref(), &inputs)?;
+    let mut experiments = [experiment(arguments, way(arguments)?)?];
+    let free = if arguments.expect {
+        arguments
+            .free
+            .of(&experiments, &[], &arguments.known.bodies.system)?
+    } else {
+        Vec::new()
+    };
+    let given = arguments.known.values.iter();
+    let given: Vec<_> = given.filter_map(|one| one.quantity.parameter()).collect();
+    arguments.known.relaxing.ask(&experiments[0], &given)?;
+    forget_shapes(&mut experiments, &free);
+    allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
+    let table = arguments.table.read_for_contacts()?;
+    if arguments.expect {
+        check_units(&arguments.units, &free)?;
+        let expected = forecast(&table, &experiments, &free)?;
+        arguments.known.name_example(&experiments[0]);
+        return if arguments.json {
+            json::print(&object(&expected))
+        } else {
+            output.write(report::expected(&expected, &experiments, &arguments.units).as_bytes())
+        };
+    }
+    ensure!(
+        arguments.free.is_empty(),
+        "--free, --bounds, --prior, --own and --shared are for --expect; add it"
+    );
+    let [experiment] = experiments;
+    let simulated = |noise| {
+        simulate(&table, &experiment, noise, arguments.seed)
+            .map_err(|error| doubted(error, &[], &[]))
+    };
+    let noise = arguments.noise.of(arguments.kind)?;
+    let made = simulated(noise)?;
+    let text = csv(&made)?;
+    arguments.known.name_example(&experiment);
+    output.write(&text)?;
+    if range_of_ordinates(&made) < WITHIN * noise {
+        note_large_noise(&simulated(0.0)?, noise);
+    }
+    for warning in made.broken_assumptions(&table)? {
+        note(&warning.text);
+    }
+    Ok(())
+}
+
+/// Returns the ends of the abscissae, which suit the ways and the hold.
+fn way(arguments: &Arguments) -> anyhow::Result<[f64; 2]> {
     let [from, to] = arguments.ends()?;
     ensure!(
         from.is_finite() && to.is_finite() && from != to,
         "--from {from:?} and --to {to:?} must be two different numbers"
     );
-    let noise = arguments.noise.of(arguments.kind)?;
     let approaches = |way: &Option<Direction>| way.is_some();
     if arguments.ways().iter().any(approaches) && arguments.recedes([from, to]) {
         bail!(
@@ -243,11 +291,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
              {interval:?} s: give another --hold"
         );
     }
-    let measurement = plan(arguments, [from, to]);
+    Ok([from, to])
+}
+
+/// Returns the experiment to be made, without ordinates.
+fn experiment(arguments: &Arguments, ends: [f64; 2]) -> anyhow::Result<Experiment> {
+    let measurement = plan(arguments, ends);
     arguments.known.history.needs_poisson_ratio()?;
-    let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
+    let mut experiment = arguments
+        .known
+        .experiments(vec![measurement], &[])?
+        .remove(0);
     ensure!(
-        arguments.kind != Kind::ForceHeight || experiments[0].stiffness.is_some(),
+        arguments.kind != Kind::ForceHeight || experiment.stiffness.is_some(),
         "--kind force-height needs --stiffness, that of the cantilever, for example 0.1N/m"
     );
     ensure!(
@@ -255,17 +311,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--stiffness is that of a cantilever, of --kind force-height: leave it out"
     );
     ensure!(
-        arguments.kind != Kind::StiffnessDepth || experiments[0].indentation.hardness.is_some(),
+        arguments.kind != Kind::StiffnessDepth || experiment.indentation.hardness.is_some(),
         "--kind stiffness-depth needs --hardness, which tells the loads, for example 10GPa"
     );
     ensure!(
-        experiments[0].work_of_adhesion_receding.is_none()
+        experiment.work_of_adhesion_receding.is_none()
             || arguments.ways().contains(&Some(Direction::Retract)),
         "work-of-adhesion-receding is that of unloading, and there is none: leave it out, or give --segments cycle"
     );
-    experiments[0].noise = Some(noise);
+    experiment.noise = Some(arguments.noise.of(arguments.kind)?);
     if let Some(noise) = &arguments.abscissa_noise {
-        experiments[0].abscissa_noise = abscissa_noise(noise, arguments.kind)?;
+        experiment.abscissa_noise = abscissa_noise(noise, arguments.kind)?;
     }
     ensure!(
         arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),
@@ -273,48 +329,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
          stiffness-radius, stiffness-load or stiffness-depth",
         arguments.kind.name()
     );
-    experiments[0].indentation.loss_tangent = arguments.loss_tangent;
-    let free = if arguments.expect {
-        arguments
-            .free
-            .of(&experiments, &[], &arguments.known.bodies.system)?
-    } else {
-        Vec::new()
-    };
-    let given = arguments.known.values.iter();
-    let given: Vec<_> = given.filter_map(|one| one.quantity.parameter()).collect();
-    arguments.known.relaxing.ask(&experiments[0], &given)?;
-    forget_shapes(&mut experiments, &free);
-    allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
-    let table = arguments.table.read_for_contacts()?;
-    if arguments.expect {
-        check_units(&arguments.units, &free)?;
-        let expected = forecast(&table, &experiments, &free)?;
-        arguments.known.name_example(&experiments[0]);
-        return if arguments.json {
-            json::print(&object(&expected))
-        } else {
-            output.write(report::expected(&expected, &experiments, &arguments.units).as_bytes())
-        };
-    }
-    ensure!(
-        arguments.free.is_empty(),
-        "--free, --bounds, --prior, --own and --shared are for --expect; add it"
-    );
-    let made = simulate(&table, &experiments[0], noise, arguments.seed)
-        .map_err(|error| doubted(error, &[], &[]))?;
-    let text = csv(&made)?;
-    arguments.known.name_example(&experiments[0]);
-    output.write(&text)?;
-    if range_of_ordinates(&made) < WITHIN * noise {
-        let exact = simulate(&table, &experiments[0], 0.0, arguments.seed)
-            .map_err(|error| doubted(error, &[], &[]))?;
-        note_large_noise(&exact, noise);
-    }
-    for warning in made.broken_assumptions(&table)? {
-        note(&warning.text);
-    }
-    Ok(())
+    experiment.indentation.loss_tangent = arguments.loss_tangent;
+    Ok(experiment)
 }
 
 /// Returns the measurement to be made, without ordinates.

@@ -55,20 +55,33 @@ pub(crate) fn of_problem(
 fn doubts(
     experiment: &Experiment,
     contact: &Contact,
-    [least, a]: [f64; 2],
+    radii: [f64; 2],
     interaction_range: f64,
     estimates: &[Estimate],
 ) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    let name = &experiment.measurement.name;
+    let [_, a] = radii;
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
     if !experiment.has_shape(false) {
-        warnings.extend(friction::doubt(experiment, contact, a, estimates));
-        return warnings;
+        return friction::doubt(experiment, contact, a, estimates)
+            .into_iter()
+            .collect();
     }
     let Ok(validity) = contact.validity(a) else {
-        return warnings;
+        return Vec::new();
     };
+    let mut warnings = sizes(experiment, radii);
+    warnings.extend(shape(experiment, &validity, a));
+    warnings.extend(surface_tension(experiment, &validity));
+    warnings.extend(film(experiment, contact, &validity, radii));
+    warnings.extend(friction::doubt(experiment, contact, a, estimates));
+    warnings.extend(range(experiment, contact, a, interaction_range));
+    warnings
+}
+
+/// Warns of contacts smaller than atoms, and of those that hardly tell the film.
+fn sizes(experiment: &Experiment, [least, a]: [f64; 2]) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let name = &experiment.measurement.name;
     if a < SMALLEST_RADIUS {
         warnings.push(WarningKind::Implausible.with(format!(
             "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
@@ -78,6 +91,13 @@ fn doubts(
     if let Some(doubt) = experiment.doubt_of_film([least, a]) {
         warnings.push(WarningKind::Implausible.with(format!("{name}: {doubt}")));
     }
+    warnings
+}
+
+/// Warns of a contact radius `a` (m) that is large beside the probe, and of steep probes.
+fn shape(experiment: &Experiment, validity: &Validity, a: f64) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let name = &experiment.measurement.name;
     let paraboloid = experiment.bodies.probe.is_paraboloid();
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
         let exact = "the exact sphere, which is a probe of its own";
@@ -115,15 +135,33 @@ fn doubts(
             slope.recip().atan().to_degrees()
         )));
     }
-    if validity.surface_tension < Validity::WARNING_SURFACE_TENSION {
-        warnings.push(WarningKind::SurfaceTension.with(format!(
+    warnings
+}
+
+/// Warns of bodies so soft that surface tension may matter.
+fn surface_tension(experiment: &Experiment, validity: &Validity) -> Option<Warning> {
+    let name = &experiment.measurement.name;
+    let matters = validity.surface_tension < Validity::WARNING_SURFACE_TENSION;
+    matters.then(|| {
+        WarningKind::SurfaceTension.with(format!(
             "{name}: a surface tension of {:.1e} N/m would raise the load of the widest contact without adhesion by a tenth at its \
              penetration, and those of smaller ones by more, and the model has none. Gels and elastomers in air have 0.02 \
              to 0.07 N/m, the cortex of a cell 1e-4 to 1e-3 N/m, a gel in its liquid hardly any: where it matters, the modulus \
              falls with wider contacts and larger spheres",
             validity.surface_tension
-        )));
-    }
+        ))
+    })
+}
+
+/// Warns of films that are compressed or bent by much, and of contacts on them that are no discs.
+fn film(
+    experiment: &Experiment,
+    contact: &Contact,
+    validity: &Validity,
+    radii: [f64; 2],
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let name = &experiment.measurement.name;
     let film = validity.film;
     if let Some(film) = film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies.have_film() {
@@ -144,14 +182,25 @@ fn doubts(
             film.bending
         )));
     }
-    if let Some(a) = contact.first_no_disc([least, a], 0.0) {
+    if let Some(a) = contact.first_no_disc(radii, 0.0) {
         warnings.push(WarningKind::NoDisc.with(format!(
             "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
              lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
              or measure with a sphere"
         )));
     }
-    warnings.extend(friction::doubt(experiment, contact, a, estimates));
+    warnings
+}
+
+/// Warns of an attraction whose range is not small beside a contact up to the radius `a` (m).
+fn range(
+    experiment: &Experiment,
+    contact: &Contact,
+    a: f64,
+    interaction_range: f64,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let name = &experiment.measurement.name;
     for parameter in Parameter::WORKS {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
