@@ -37,56 +37,8 @@ pub fn forecast(
         ..*one
     };
     let free: Vec<Free> = free.iter().map(without_limits).collect();
-    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
-    let mut assigned = Vec::new();
-    for experiment in experiments {
-        experiment.accept_instrument()?;
-        experiment.accept_errors()?;
-        experiment.known_noise()?;
-        let mut experiment = experiment.clone();
-        if is_free(Parameter::WorkOfAdhesionReceding) {
-            let work = experiment.work_of_adhesion;
-            experiment.work_of_adhesion_receding.get_or_insert(work);
-        }
-        for Free { parameter, .. } in free.iter().copied() {
-            if parameter.is_positive()
-                && experiment.get(parameter) == Some(0.0)
-                && experiment.why_without_effect(parameter).is_none()
-            {
-                let allowed =
-                    "positive where it is free: the errors are those at the planned value";
-                return Err(experiment.wrong_setting(parameter, 0.0, allowed));
-            }
-            if Parameter::OF_LINE.contains(&parameter)
-                && experiment.get(parameter).is_none()
-                && experiment.why_without_effect(parameter).is_none()
-            {
-                let allowed =
-                    "given, also where it is free: the errors are those at the planned value";
-                return Err(experiment.wrong_setting(parameter, f64::NAN, allowed));
-            }
-            if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
-                && let Some(layer) = experiment.bodies.layer(name)
-                && layer.interface_stiffness().is_none()
-            {
-                let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
-                              value: plan another one, such as the modulus of the layer over its thickness";
-                return Err(experiment.not_applicable(parameter, reason));
-            }
-        }
-        // The stiffness itself tells contact depths, and the error of an abscissa counts by the slope where the reading says
-        // that the point lies.
-        experiment.reach_contacts();
-        experiment.make(table)?;
-        if experiment.measurement.kind.is_stiffness() {
-            experiment.accept_stiffness()?;
-        }
-        let contact = experiment.bodies.contact(table, &[])?;
-        let (mut branches, order) = experiment.branches_of_model(&contact)?;
-        experiment.keep_line_speeds();
-        experiment.leave_out_unknown_speeds(&mut branches);
-        assigned.push(Assigned::new(experiment, (branches, order, None)));
-    }
+    let planned = experiments.iter().map(|one| planned(table, one, &free));
+    let assigned: Vec<Assigned> = planned.collect::<Result<_, _>>()?;
     let mut slots = slots(experiments, &free)?;
     for slot in &mut slots {
         let e = slot.experiment.unwrap_or(0);
@@ -126,6 +78,63 @@ pub fn forecast(
         estimates,
         fixed_values,
     })
+}
+
+/// Returns an experiment with its branches at the planned values.
+fn planned(table: &Table, experiment: &Experiment, free: &[Free]) -> Result<Assigned, Error> {
+    experiment.accept_instrument()?;
+    experiment.accept_errors()?;
+    experiment.known_noise()?;
+    let mut experiment = experiment.clone();
+    if free
+        .iter()
+        .any(|one| one.parameter == Parameter::WorkOfAdhesionReceding)
+    {
+        let work = experiment.work_of_adhesion;
+        experiment.work_of_adhesion_receding.get_or_insert(work);
+    }
+    for one in free {
+        accept_planned(&experiment, one.parameter)?;
+    }
+    // The stiffness itself tells contact depths, and the error of an abscissa counts by the slope where the reading says
+    // that the point lies.
+    experiment.reach_contacts();
+    experiment.make(table)?;
+    if experiment.measurement.kind.is_stiffness() {
+        experiment.accept_stiffness()?;
+    }
+    let contact = experiment.bodies.contact(table, &[])?;
+    let (mut branches, order) = experiment.branches_of_model(&contact)?;
+    experiment.keep_line_speeds();
+    experiment.leave_out_unknown_speeds(&mut branches);
+    Ok(Assigned::new(experiment, (branches, order, None)))
+}
+
+/// Refuses a free parameter whose planned value has no errors.
+fn accept_planned(experiment: &Experiment, parameter: Parameter) -> Result<(), Error> {
+    if parameter.is_positive()
+        && experiment.get(parameter) == Some(0.0)
+        && experiment.why_without_effect(parameter).is_none()
+    {
+        let allowed = "positive where it is free: the errors are those at the planned value";
+        return Err(experiment.wrong_setting(parameter, 0.0, allowed));
+    }
+    if Parameter::OF_LINE.contains(&parameter)
+        && experiment.get(parameter).is_none()
+        && experiment.why_without_effect(parameter).is_none()
+    {
+        let allowed = "given, also where it is free: the errors are those at the planned value";
+        return Err(experiment.wrong_setting(parameter, f64::NAN, allowed));
+    }
+    if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
+        && let Some(layer) = experiment.bodies.layer(name)
+        && layer.interface_stiffness().is_none()
+    {
+        let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
+                      value: plan another one, such as the modulus of the layer over its thickness";
+        return Err(experiment.not_applicable(parameter, reason));
+    }
+    Ok(())
 }
 
 /// Takes what the model predicts for the readings.

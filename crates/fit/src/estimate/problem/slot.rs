@@ -164,6 +164,16 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
     if free.is_empty() {
         return Err(Error::nothing("free parameter"));
     }
+    accept_together(experiments, free)?;
+    let mut slots = Vec::new();
+    for one in free {
+        slots.extend(slots_of_parameter(experiments, free, one)?);
+    }
+    Ok(slots)
+}
+
+/// Refuses what is free twice, by one name or by two.
+fn accept_together(experiments: &[Experiment], free: &[Free]) -> Result<(), Error> {
     for (i, one) in free.iter().enumerate() {
         accept(one)?;
         for other in &free[..i] {
@@ -186,77 +196,84 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             }
         }
     }
+    Ok(())
+}
+
+/// Lists the values of `one` of the `free` parameters that are to be found.
+fn slots_of_parameter(
+    experiments: &[Experiment],
+    free: &[Free],
+    one: &Free,
+) -> Result<Vec<Slot>, Error> {
     let mut slots = Vec::new();
-    for one in free {
-        let applies = |experiment: &Experiment| experiment.why_without_effect(one.parameter);
-        let members: Vec<usize> = (0..experiments.len())
-            .filter(|&e| applies(&experiments[e]).is_none())
-            .collect();
-        if members.is_empty()
-            && let Some(first) = experiments.first()
-            && let Some(reason) = applies(first)
-        {
-            return Err(first.not_applicable(one.parameter, reason));
-        }
-        let start_of = |e: usize| {
-            let own = experiments[e].get(one.parameter);
-            one.start.or(own).or(match one.parameter {
-                Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
-                Parameter::DoublingSpeed | Parameter::SpeedExponent => Some(1.0),
-                Parameter::Hardness => experiments[e].hardness_to_start_from(has_no_start(free)),
-                Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments[e]
+    let applies = |experiment: &Experiment| experiment.why_without_effect(one.parameter);
+    let members: Vec<usize> = (0..experiments.len())
+        .filter(|&e| applies(&experiments[e]).is_none())
+        .collect();
+    if members.is_empty()
+        && let Some(first) = experiments.first()
+        && let Some(reason) = applies(first)
+    {
+        return Err(first.not_applicable(one.parameter, reason));
+    }
+    let start_of = |e: usize| {
+        let own = experiments[e].get(one.parameter);
+        one.start.or(own).or(match one.parameter {
+            Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+            Parameter::DoublingSpeed | Parameter::SpeedExponent => Some(1.0),
+            Parameter::Hardness => experiments[e].hardness_to_start_from(has_no_start(free)),
+            Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments[e]
+                .bodies
+                .layer(name)
+                .map(NamedLayer::own_stiffness),
+            _ => None,
+        })
+    };
+    let slot = |experiment: Option<usize>, start: f64| Slot {
+        parameter: one.parameter,
+        experiment,
+        is_given: one.start.is_some(),
+        prior: one.prior,
+        bounds: one.bounds,
+        coordinate: Coordinate {
+            positive: one.parameter.is_positive(),
+            start,
+            unit: 1.0,
+            bounds: one.bounds.or(match one.parameter {
+                Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
+                Parameter::Law(LawParameter::RelaxedFraction) => Some([0.0, 1.0]),
+                Parameter::Law(LawParameter::Exponent) => Some(EXPONENTS),
+                Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments
+                    [members[0]]
                     .bodies
                     .layer(name)
-                    .map(NamedLayer::own_stiffness),
+                    .map(|layer| interface_bounds(layer, start)),
                 _ => None,
-            })
-        };
-        let slot = |experiment: Option<usize>, start: f64| Slot {
-            parameter: one.parameter,
-            experiment,
-            is_given: one.start.is_some(),
-            prior: one.prior,
-            bounds: one.bounds,
-            coordinate: Coordinate {
-                positive: one.parameter.is_positive(),
-                start,
-                unit: 1.0,
-                bounds: one.bounds.or(match one.parameter {
-                    Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
-                    Parameter::Law(LawParameter::RelaxedFraction) => Some([0.0, 1.0]),
-                    Parameter::Law(LawParameter::Exponent) => Some(EXPONENTS),
-                    Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments
-                        [members[0]]
-                        .bodies
-                        .layer(name)
-                        .map(|layer| interface_bounds(layer, start)),
-                    _ => None,
-                }),
-            },
-        };
-        let missing = |e: usize| {
-            let reason = "it has no value to start from; give one";
-            experiments[e].not_applicable(one.parameter, reason)
-        };
-        let is_own = one.scope == Scope::Own && experiments.len() > 1;
-        // The experiments of each value.
-        for group in members.chunks(if is_own { 1 } else { members.len() }) {
-            let first = group[0];
-            let start = start_of(first).ok_or_else(|| missing(first))?;
-            for &e in &group[1..] {
-                let other = start_of(e).ok_or_else(|| missing(e))?;
-                if other != start {
-                    let [name, own] = [first, e].map(|i| &experiments[i].measurement.name);
-                    let name = if name == own { "the first one" } else { name };
-                    let allowed = format!(
-                        "{start:?}, that of {name}, because one value is fitted for all: give all of them one \
-                         value, or the fit one start, or fit a value for each"
-                    );
-                    return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
-                }
+            }),
+        },
+    };
+    let missing = |e: usize| {
+        let reason = "it has no value to start from; give one";
+        experiments[e].not_applicable(one.parameter, reason)
+    };
+    let is_own = one.scope == Scope::Own && experiments.len() > 1;
+    // The experiments of each value.
+    for group in members.chunks(if is_own { 1 } else { members.len() }) {
+        let first = group[0];
+        let start = start_of(first).ok_or_else(|| missing(first))?;
+        for &e in &group[1..] {
+            let other = start_of(e).ok_or_else(|| missing(e))?;
+            if other != start {
+                let [name, own] = [first, e].map(|i| &experiments[i].measurement.name);
+                let name = if name == own { "the first one" } else { name };
+                let allowed = format!(
+                    "{start:?}, that of {name}, because one value is fitted for all: give all of them one \
+                     value, or the fit one start, or fit a value for each"
+                );
+                return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
             }
-            slots.push(slot(is_own.then_some(first), start));
         }
+        slots.push(slot(is_own.then_some(first), start));
     }
     Ok(slots)
 }

@@ -166,16 +166,7 @@ impl KnownArguments {
         measurements: Vec<Measurement>,
         times: &[Vec<f64>],
     ) -> anyhow::Result<Vec<Experiment>> {
-        for (i, one) in self.values.iter().enumerate() {
-            ensure!(
-                self.values[..i]
-                    .iter()
-                    .all(|before| before.quantity != one.quantity),
-                "--value {} is given twice: leave one out, or give one value for each file, \
-                 NAME=VALUE,VALUE",
-                one.quantity.name()
-            );
-        }
+        self.accept_values(measurements.len())?;
         let bodies::Bodies {
             system,
             stack,
@@ -220,15 +211,6 @@ impl KnownArguments {
             None if self.bodies.half_space => Bodies::half_space(bodies::half_space(&system)),
             None => Bodies::coated(&system),
         };
-        let files = measurements.len();
-        for Values { quantity, values } in &self.values {
-            ensure!(
-                values.len() == 1 || values.len() == files,
-                "--value {}: {} values for {files} files; give one, or one for each file",
-                quantity.name(),
-                values.len()
-            );
-        }
         let experiment = |(i, measurement): (usize, Measurement)| {
             let bodies = bodies(&measurement);
             let mut experiment = Experiment::new(measurement, bodies);
@@ -261,6 +243,35 @@ impl KnownArguments {
             accept_no_shape(&self.bodies.system)?;
             accept_no_radius("--value", self.values.iter().map(|one| one.quantity))?;
         }
+        self.accept_effects(&experiments)?;
+        Ok(experiments)
+    }
+
+    /// Refuses a value that is given twice, or neither once nor once for each file.
+    fn accept_values(&self, files: usize) -> anyhow::Result<()> {
+        for (i, one) in self.values.iter().enumerate() {
+            ensure!(
+                self.values[..i]
+                    .iter()
+                    .all(|before| before.quantity != one.quantity),
+                "--value {} is given twice: leave one out, or give one value for each file, \
+                 NAME=VALUE,VALUE",
+                one.quantity.name()
+            );
+        }
+        for Values { quantity, values } in &self.values {
+            ensure!(
+                values.len() == 1 || values.len() == files,
+                "--value {}: {} values for {files} files; give one, or one for each file",
+                quantity.name(),
+                values.len()
+            );
+        }
+        Ok(())
+    }
+
+    /// Refuses a value without effect.
+    fn accept_effects(&self, experiments: &[Experiment]) -> anyhow::Result<()> {
         for one in &self.values {
             let Some(parameter) = one.quantity.parameter() else {
                 continue;
@@ -276,7 +287,7 @@ impl KnownArguments {
                 bail!("--value {parameter} has no effect: {reason}; leave it out");
             }
         }
-        Ok(experiments)
+        Ok(())
     }
 }
 
