@@ -154,6 +154,49 @@ pub fn join(
             )));
         }
     }
+    select(&mut all, kind, format, &mut notes)?;
+    if all.points.is_empty() {
+        return Err(DataError::new(format!(
+            "{rows} rows, but no point is left to fit: they are missing values, or of another segment; check the columns, and the direction \
+             asked for"
+        )));
+    }
+    check_constant(&all.points, pair)?;
+    notes.doubts = doubts(
+        kind,
+        &all.points,
+        &pairs,
+        &notes,
+        (&all.errors, format.keep_pauses),
+    );
+    let known = |value: fn(&Beside) -> f64| -> Vec<f64> {
+        let values = all.beside.iter().map(value);
+        values.filter(|value| !value.is_nan()).collect()
+    };
+    let loads = known(|one| one.load);
+    notes.doubts.extend(unloading(kind, &all.points, &loads));
+    Ok(Reading {
+        loads,
+        phases: known(|one| one.phase),
+        times: known(|one| one.time),
+        measurement: Measurement {
+            name: name.to_owned(),
+            kind,
+            numbering: Numbering::Lines,
+            points: all.points,
+        },
+        errors: all.errors,
+        notes,
+    })
+}
+
+/// Finds the directions of points, where the motion turns back if need be, and keeps the points asked for.
+fn select(
+    all: &mut Points,
+    kind: Kind,
+    format: &Format,
+    notes: &mut Notes,
+) -> Result<(), DataError> {
     let known = all.points.iter().any(|point| point.direction.is_some());
     let splits = match format.segments {
         Segments::Auto => kind == Kind::ForceHeight && !known,
@@ -189,39 +232,7 @@ pub fn join(
             )));
         }
     }
-    if all.points.is_empty() {
-        return Err(DataError::new(format!(
-            "{rows} rows, but no point is left to fit: they are missing values, or of another segment; check the columns, and the direction \
-             asked for"
-        )));
-    }
-    check_constant(&all.points, pair)?;
-    notes.doubts = doubts(
-        kind,
-        &all.points,
-        &pairs,
-        &notes,
-        (&all.errors, format.keep_pauses),
-    );
-    let known = |value: fn(&Beside) -> f64| -> Vec<f64> {
-        let values = all.beside.iter().map(value);
-        values.filter(|value| !value.is_nan()).collect()
-    };
-    let loads = known(|one| one.load);
-    notes.doubts.extend(unloading(kind, &all.points, &loads));
-    Ok(Reading {
-        loads,
-        phases: known(|one| one.phase),
-        times: known(|one| one.time),
-        measurement: Measurement {
-            name: name.to_owned(),
-            kind,
-            numbering: Numbering::Lines,
-            points: all.points,
-        },
-        errors: all.errors,
-        notes,
-    })
+    Ok(())
 }
 
 /// Returns the heading under which a column can be named as times.

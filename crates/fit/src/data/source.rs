@@ -160,21 +160,39 @@ impl Columns<'_> {
         negative: bool,
     ) -> Result<Source, DataError> {
         let heading = self.headings[index].text.clone();
-        let at = |what: String| DataError::new(what).in_column(index, &heading);
+        let assumed_si = role != Role::Segment && unit.is_none();
+        let unit = self.unit(role, index, unit)?;
+        let size = if negative { -unit.size } else { unit.size };
+        let (factor, compliance) = self.of_cantilever(role, index, unit, size)?;
+        Ok(Source {
+            role,
+            index,
+            unit,
+            factor: size * factor,
+            typed: heading.clone(),
+            heading,
+            assumed_si,
+            compliance,
+        })
+    }
+
+    /// Returns the unit of a column, which was read as `unit`.
+    fn unit(&self, role: Role, index: usize, unit: Option<Unit>) -> Result<Unit, DataError> {
+        let heading = &*self.headings[index].text;
+        let at = |what: String| DataError::new(what).in_column(index, heading);
         // A heading whose unit is to be told.
         let with_unit = |heading: &str| named(vec![(role, format!("{heading} {UNIT}"))]);
-        let assumed_si = role != Role::Segment && unit.is_none();
-        let unit = match unit {
-            Some(unit) if role.accepts(unit) => unit,
+        match unit {
+            Some(unit) if role.accepts(unit) => Ok(unit),
             Some(_) => {
                 let other = DataError::new(format!(
                     "{heading:?} is named as {}, and is not in a unit of {}",
                     role.name(),
                     role.dimension()
                 ));
-                return Err(other.with(another(role)));
+                Err(other.with(another(role)))
             }
-            None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
+            None if role == Role::Segment || role.is_si(heading) => Ok(Unit::si(role.dimension())),
             None if let Some(unit) = &self.headings[index].unknown => {
                 let is_cut = unit.contains(|c: char| c.is_ascii_alphabetic())
                     && !unit.starts_with(char::is_alphanumeric);
@@ -189,10 +207,10 @@ impl Columns<'_> {
                     role.name(),
                     role.example()
                 ));
-                return Err(unknown.with(with_unit(&heading)));
+                Err(unknown.with(with_unit(heading)))
             }
             None => {
-                let name = match &heading[..] {
+                let name = match heading {
                     "" => (index + 1).to_string(),
                     text => text.to_owned(),
                 };
@@ -201,9 +219,22 @@ impl Columns<'_> {
                     role.name(),
                     role.example()
                 ));
-                return Err(unitless.with(with_unit(&name)));
+                Err(unitless.with(with_unit(&name)))
             }
-        };
+        }
+    }
+
+    /// Returns the factor by which the stiffness of the cantilever turns a deflection into a force, and the compliance by
+    /// which the force turns a separation into a height. `size` is that of the unit, with the sign.
+    fn of_cantilever(
+        &self,
+        role: Role,
+        index: usize,
+        unit: Unit,
+        size: f64,
+    ) -> Result<(f64, f64), DataError> {
+        let heading = &self.headings[index].text;
+        let at = |what: String| DataError::new(what).in_column(index, heading);
         let Cantilever {
             stiffness,
             sensitivity,
@@ -218,8 +249,6 @@ impl Columns<'_> {
                 sensitivity.map(of_volts).unwrap_or_default()
             ))
         };
-        let mut factor = if negative { -unit.size } else { unit.size };
-        let mut compliance = 0.0;
         if role == Role::Separation {
             let Some(stiffness) = stiffness else {
                 let lacking = at(format!(
@@ -228,10 +257,11 @@ impl Columns<'_> {
                 ));
                 return Err(lacking.with(Remedy::Cantilever { sensitivity: false }));
             };
-            compliance = stiffness.recip();
+            let compliance = stiffness.recip();
             if !(compliance > 0.0 && compliance.is_finite()) {
                 return Err(no_force(stiffness, None));
             }
+            return Ok((1.0, compliance));
         }
         if role == Role::Deflection {
             let volts = unit.dimension == Dimension::Voltage;
@@ -249,21 +279,13 @@ impl Columns<'_> {
                 return Err(lacking.with(Remedy::Cantilever { sensitivity: volts }));
             };
             let is_sound = stiffness > 0.0 && sensitivity != 0.0;
-            factor *= stiffness * sensitivity;
-            if !is_sound || !factor.is_finite() || factor == 0.0 {
+            let factor = stiffness * sensitivity;
+            if !is_sound || !(size * factor).is_finite() || size * factor == 0.0 {
                 return Err(no_force(stiffness, volts.then_some(sensitivity)));
             }
+            return Ok((factor, 0.0));
         }
-        Ok(Source {
-            role,
-            index,
-            unit,
-            factor,
-            typed: heading.clone(),
-            heading,
-            assumed_si,
-            compliance,
-        })
+        Ok((1.0, 0.0))
     }
 
     /// Returns the columns, as far as their headings and the user tell.

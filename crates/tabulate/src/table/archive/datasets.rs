@@ -33,58 +33,69 @@ pub fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
         .with_fapl(|access| access.libver_v18())
         .with_fcpl(|creation| creation.obj_track_times(false))
         .create(path)?;
+    describe(table, &file)?;
+    let scales = write_axes(table, &file)?;
+    write_values(table, &file, &scales)?;
+    file.flush()
+}
+
+/// Writes what the table is as attributes of the root group.
+fn describe(table: &Table, file: &hdf5::File) -> hdf5::Result<()> {
     let description = table.description();
-    text(&file, attribute::FORMAT, FORMAT)?;
-    number(&file, attribute::FORMAT_VERSION, FORMAT_VERSION)?;
-    text(&file, attribute::COMMENT, COMMENT)?;
-    text(&file, attribute::REFERENCES, REFERENCES)?;
-    text(&file, attribute::LICENSE, LICENSE)?;
-    text(&file, attribute::TITLE, &description.title)?;
-    text(&file, attribute::SCENE, &description.scene)?;
+    text(file, attribute::FORMAT, FORMAT)?;
+    number(file, attribute::FORMAT_VERSION, FORMAT_VERSION)?;
+    text(file, attribute::COMMENT, COMMENT)?;
+    text(file, attribute::REFERENCES, REFERENCES)?;
+    text(file, attribute::LICENSE, LICENSE)?;
+    text(file, attribute::TITLE, &description.title)?;
+    text(file, attribute::SCENE, &description.scene)?;
     match description.nu0 {
-        SubstratePoissonRatio::Fixed(nu0) => number(&file, attribute::NU0, nu0)?,
+        SubstratePoissonRatio::Fixed(nu0) => number(file, attribute::NU0, nu0)?,
         SubstratePoissonRatio::Paired => {
-            text(&file, attribute::NU0, SubstratePoissonRatio::PAIRED)?;
+            text(file, attribute::NU0, SubstratePoissonRatio::PAIRED)?;
         }
     }
-    text(&file, attribute::NORMALISED_BY, table.unit())?;
-    number(&file, attribute::TOLERANCE, description.tolerance)?;
-    text(&file, attribute::CREATED_BY, &description.created_by)?;
+    text(file, attribute::NORMALISED_BY, table.unit())?;
+    number(file, attribute::TOLERANCE, description.tolerance)?;
+    text(file, attribute::CREATED_BY, &description.created_by)?;
     let certificate = &description.certificate;
-    number(&file, attribute::CERTIFIED_MAX_ERROR, certificate.max_error)?;
+    number(file, attribute::CERTIFIED_MAX_ERROR, certificate.max_error)?;
     number(
-        &file,
+        file,
         attribute::CERTIFIED_MEDIAN_ERROR,
         certificate.median_error,
     )?;
-    number(&file, attribute::CERTIFIED_POINTS, certificate.points)?;
-    number(&file, attribute::CERTIFIED_SEED, certificate.seed)?;
+    number(file, attribute::CERTIFIED_POINTS, certificate.points)?;
+    number(file, attribute::CERTIFIED_SEED, certificate.seed)?;
     number(
-        &file,
+        file,
         attribute::CERTIFIED_P999_ERROR,
         certificate.p999_error,
     )?;
     text(
-        &file,
+        file,
         attribute::CERTIFIED_WORST_QUANTITY,
         certificate.worst_quantity.name(),
     )?;
     numbers(
-        &file,
+        file,
         attribute::CERTIFIED_WORST_POINT,
         &certificate.worst_point,
     )?;
     numbers(
-        &file,
+        file,
         attribute::CERTIFIED_IDENTITY_ERRORS,
         &certificate
             .identity_errors
             .map(|error| error.unwrap_or(f64::NAN)),
     )?;
 
-    number(&file, attribute::CHECKSUM, checksum(table))?;
+    number(file, attribute::CHECKSUM, checksum(table))
+}
 
-    let axes = create_group(&file, AXES)?;
+/// Writes the nodes, as dimension scales.
+fn write_axes(table: &Table, file: &hdf5::File) -> hdf5::Result<Vec<hdf5::Dataset>> {
+    let axes = create_group(file, AXES)?;
     let mut scales = Vec::new();
     for parameter in table.parameters() {
         let nodes = table.axis(parameter);
@@ -110,11 +121,15 @@ pub fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             },
         )?;
         make_scale(&axis, parameter.name())?;
-        link_in_root(&file, AXES, parameter.name())?;
+        link_in_root(file, AXES, parameter.name())?;
         scales.push(axis);
     }
+    Ok(scales)
+}
 
-    let values = create_group(&file, VALUES)?;
+/// Writes the values of each quantity at the nodes.
+fn write_values(table: &Table, file: &hdf5::File, scales: &[hdf5::Dataset]) -> hdf5::Result<()> {
+    let values = create_group(file, VALUES)?;
     let shape = table.shape();
     let chunk = chunk(shape);
     for quantity in Quantity::ALL {
@@ -135,12 +150,12 @@ pub fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
         text(&dataset, attribute::UNITS, "1")?;
         text(&dataset, attribute::LONG_NAME, quantity.long_name())?;
         text(&dataset, attribute::EQUATION, quantity.equation())?;
-        for (dimension, scale) in (0..).zip(&scales) {
+        for (dimension, scale) in (0..).zip(scales) {
             attach_scale(&dataset, scale, dimension)?;
         }
-        link_in_root(&file, VALUES, quantity.name())?;
+        link_in_root(file, VALUES, quantity.name())?;
     }
-    file.flush()
+    Ok(())
 }
 
 /// Links the dataset `name` of a group in the root group too, under the same name.
