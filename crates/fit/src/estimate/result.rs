@@ -35,7 +35,7 @@ pub struct Fit {
     pub fixed_values: Vec<FixedValue>,
     /// The loss that was made least.
     pub loss: Loss,
-    /// The doubts about the result.
+    /// The doubts about the result: what the data say, then what the model leaves out.
     pub warnings: Vec<Warning>,
 }
 
@@ -450,6 +450,21 @@ impl WarningKind {
     /// Returns the warning of this kind with a text.
     pub(super) const fn with(self, text: String) -> Warning {
         Warning { kind: self, text }
+    }
+
+    /// Tells whether the warning is about the bodies and what the model leaves out of them, and not about the data.
+    pub(super) const fn is_of_model(self) -> bool {
+        matches!(
+            self,
+            Self::AssumesBonding
+                | Self::LargeContact
+                | Self::SurfaceTension
+                | Self::LargeStrain
+                | Self::Bending
+                | Self::NoDisc
+                | Self::Friction
+                | Self::LongRange
+        )
     }
 }
 
