@@ -31,6 +31,7 @@ mod planning;
 mod recovery;
 mod relaxing;
 mod relaxing_doubts;
+mod several_files;
 mod shapes;
 mod shared_noise;
 mod unknown_noise;
