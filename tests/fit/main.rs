@@ -27,6 +27,7 @@ mod magnitudes;
 mod minima;
 mod noise;
 mod noisy_cycles;
+mod not_shown;
 mod planning;
 mod recovery;
 mod relaxing;
