@@ -23,6 +23,9 @@ const LEFT: f64 = 1e-3;
 const HINT: f64 = 3.5;
 /// The same of a spring, whose stiffness is given more often than a zero is: by chance one fit of 15,000 or fewer reaches it.
 const OF_SPRING: f64 = 4.0;
+/// What looks like a spring in one curve.
+const OTHERWISE: &str = "if this cannot be, check the thickness, the Poisson ratio, the scale of the positions, and whether \
+     the bodies relax on the way, which look alike";
 /// The change of a value found, in its standard errors, from which on a zero misleads.
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
@@ -388,7 +391,7 @@ impl<'a> Score<'a> {
             None => format!(
                 "{name}: the penetrations seem to hold the deflection of a spring of the order of {stiffness:.0e} N/m in \
                  series with the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
-                 load/stiffness from the penetrations, or fit them as heights with the stiffness"
+                 load/stiffness from the penetrations, or fit them as heights with the stiffness; {OTHERWISE}"
             ),
             Some(given) if experiment.from_deflection => format!(
                 "{name}: deflections {:.3} times as large would lower chi^2 by {gain:.0}, more than any zero: check the \
@@ -397,7 +400,7 @@ impl<'a> Score<'a> {
             ),
             Some(given) => format!(
                 "{name}: a stiffness of some {stiffness:.2e} N/m in place of {given:.2e} would lower chi^2 by {gain:.0}, \
-                 more than any zero: check it, or free it (stiffness)"
+                 more than any zero: check it, or free it (stiffness); {OTHERWISE}"
             ),
         }))
     }
@@ -421,12 +424,14 @@ impl<'a> Score<'a> {
     /// Returns the decrease of the sum of squares by one spring in series with the contacts of all files; 0 where they are not
     /// against positions.
     pub fn gain_of_one_spring(&self) -> f64 {
-        let count = self.problem.assigned.len();
-        let columns: Option<Vec<DVector<f64>>> =
-            (0..count).map(|e| self.spring_column(e)).collect();
-        let sum = columns.map(|columns| columns.iter().sum::<DVector<f64>>());
-        sum.and_then(|column| self.gain(&column))
-            .map_or(0.0, |gain| gain.chi_squared)
+        let mut sum = DVector::zeros(self.residuals.len());
+        for e in 0..self.problem.assigned.len() {
+            let Some(column) = self.spring_column(e) else {
+                return 0.0;
+            };
+            sum += column;
+        }
+        self.gain(&sum).map_or(0.0, |gain| gain.chi_squared)
     }
 
     /// Warns if approach and retract, or loading and unloading in time, differ.
