@@ -256,6 +256,28 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
     }
 }
 
+/// A position that drifts during the cycle leaves a depth, too, of a sample that is elastic.
+#[test]
+fn a_position_that_drifts_is_named_beside_a_loop_and_a_depth() {
+    let deepest = 2e-7;
+    let most = hertz(1e10, deepest);
+    let drift = 0.1 * deepest;
+    // By the time that has passed of each way.
+    let loading = |x: f64| hertz(1e10, x - 0.5 * drift * x / deepest);
+    let unloading = |x: f64| hertz(1e10, x - drift * (1.0 - 0.5 * x / deepest));
+    let mut experiment = pressed(loading, unloading, [deepest, 1e-3 * most], 1);
+    experiment.bodies = half_space(RADIUS, f64::INFINITY, solid(1e10, 0.3));
+    let found = fitted(&experiment, &HERTZ);
+    assert_warns(&found, WarningKind::Hysteresis, "a position that drifts");
+    assert_warns(
+        &found,
+        WarningKind::Plasticity,
+        "A position that drifts; take the drift off",
+    );
+    // Neighbours are so alike that they tell a least factor only.
+    assert_warns(&found, WarningKind::PoorFit, "a factor of more than 14.1");
+}
+
 /// Drag of a liquid lifts the approach and lowers the retract, by more than the load off contact.
 #[test]
 fn drag_is_named_and_leaves_no_depth() {
@@ -337,4 +359,48 @@ fn a_receding_work_below_that_of_approach_is_named() {
     assert_silent(&found([0.04, 0.05]), WarningKind::MixedBranches);
     let words = "work-of-adhesion-receding is below work-of-adhesion";
     assert_warns(&found([0.05, 0.04]), WarningKind::MixedBranches, words);
+}
+
+/// Beside a model that gains energy on unloading, because the zero of the load drifts, a loop is no hysteresis.
+#[test]
+fn a_loop_beside_a_model_that_gains_energy_is_of_a_drift() {
+    let mut lens = lens();
+    lens.noise = 2e-6;
+    let mut both = lens.measured(&lens.exact(), 0);
+    let points = both.measurement.points.clone();
+    let mut unloading = points.clone();
+    unloading.reverse();
+    let drift = 1e-4 / (2.0 * points.len() as f64);
+    let ways = [
+        (Direction::Approach, points),
+        (Direction::Retract, unloading),
+    ];
+    let points = ways.into_iter().flat_map(|(way, points)| {
+        points.into_iter().map(move |point| Point {
+            direction: Some(way),
+            ..point
+        })
+    });
+    both.measurement.points = points.collect();
+    for (i, point) in (0_u32..).zip(&mut both.measurement.points) {
+        point.line = u64::from(i) + 2;
+        point.ordinate += drift * f64::from(i);
+    }
+    both.noise = Some(lens.noise);
+    both.abscissa_noise = 3e-7;
+    both.work_of_adhesion_receding = Some(lens.truth.work_of_adhesion);
+    let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
+    let found = fitted(
+        &both,
+        &[
+            Parameter::SphereModulus,
+            works[0],
+            works[1],
+            Parameter::LoadOffset,
+        ],
+    );
+    assert_warns(&found, WarningKind::MixedBranches, "drifts");
+    let said = text(&found, WarningKind::Hysteresis);
+    assert!(!said.contains("viscous"), "{said}");
+    assert_warns(&found, WarningKind::Hysteresis, "gains energy");
 }

@@ -265,6 +265,25 @@ fn a_spring_in_series_with_the_contact_is_told() {
     }
 }
 
+/// A gel that relaxes with a power of the time, of which an approach alone looks like a spring.
+#[test]
+fn a_spring_that_may_be_a_relaxation_says_so() {
+    let deepest = 8e-7_f64;
+    let load = |depth: f64| depth.max(0.0).powf(1.3) / deepest.powf(1.3);
+    for seed in 0..10 {
+        let mut random = Contacts::new(seed);
+        let points = (0..300).map(|i| {
+            let depth = deepest * (f64::from(i) / 150.0 - 1.0);
+            [depth, 1e-7 * (load(depth) + 0.005 * random.normal())]
+        });
+        let measured = measurement_of(Kind::LoadPenetration, points);
+        let data = Experiment::new(measured, half_space(1e-5, f64::INFINITY, solid(1e4, 0.5)));
+        let found = fitted(&data, &free_of(&HERTZ));
+        let words = "deflection of a spring; cannot be; relax on the way";
+        assert_warns(&found, WarningKind::SpringWanted, words);
+    }
+}
+
 /// Hertz's loads in contact alone, read by a cell that is softer than stated by a ninth: the modulus is a quarter too small, and
 /// chi^2 hardly tells.
 #[test]

@@ -178,7 +178,7 @@ fn beside_neighbours(assigned: &Assigned, own: &[f64], chance: f64) -> Option<Wa
         return Some(WarningKind::PoorFit.with(format!(
             "{name}: the model does not describe the data to the noise that neighbouring \
              points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
-             independent, and then standard errors are too small by a factor of some {:.1}",
+             independent, and then standard errors are too small by a factor of {}",
             factor_of_errors(*z, *count)
         )));
     }
@@ -199,14 +199,14 @@ fn beside_neighbours(assigned: &Assigned, own: &[f64], chance: f64) -> Option<Wa
         )
     } else if let Some((length, [deviations, ratio])) = slow(&near, chance) {
         let what = format!("the means of {length} neighbouring residuals are too far from 0");
-        (what, deviations, ratio.sqrt())
+        (what, deviations, format!("some {:.1}", ratio.sqrt()))
     } else {
         return None;
     };
     Some(WarningKind::StructuredResiduals.with(format!(
         "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
          model or its fixed values do not describe the data, or the noise is not independent, and \
-         then standard errors are too small by a factor of some {factor:.1}"
+         then standard errors are too small by a factor of {factor}"
     )))
 }
 
@@ -230,12 +230,20 @@ fn beyond(chance: f64) -> f64 {
     deviations(1.0 - 2.0 * chance).min(BEYOND_CHANCE)
 }
 
-/// Returns the factor by which noise that is not independent makes the error of a mean larger, from how
+/// Returns in words the factor by which noise that is not independent makes the error of a mean larger, from how
 /// many standard deviations neighbours of `count` points are alike. Their correlation falls by its own
-/// value from point to point.
-fn factor_of_errors(deviations: f64, count: f64) -> f64 {
-    let correlation = (deviations / count.sqrt()).clamp(0.0, 0.99);
-    ((1.0 + correlation) / (1.0 - correlation)).sqrt()
+/// value from point to point. Where neighbours are nearly equal, it tells a least factor only.
+fn factor_of_errors(deviations: f64, count: f64) -> String {
+    /// The largest correlation that is told from 1.
+    const LARGEST: f64 = 0.99;
+    let correlation = (deviations / count.sqrt()).clamp(0.0, LARGEST);
+    let factor = ((1.0 + correlation) / (1.0 - correlation)).sqrt();
+    let how = if correlation < LARGEST {
+        "some"
+    } else {
+        "more than"
+    };
+    format!("{how} {factor:.1}")
 }
 
 /// Returns the residuals of a branch and direction by descending imposed value, and those of one reading

@@ -96,15 +96,18 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
         ))]);
     }
     let has_directions = experiment.measurement.points[0].direction.is_some();
-    let cause = levels.map_or_else(
-        || "hysteresis: viscous, of the adhesion, or plastic".to_owned(),
-        |[one, other]| {
-            format!(
-                "the baselines of the two ways are {:.2e} N apart, as drag of the liquid or drift makes them",
-                (one - other).abs()
-            )
-        },
-    );
+    let is_below = |receding: f64| receding < experiment.work_of_adhesion;
+    let cause = if let Some([one, other]) = levels {
+        format!(
+            "the baselines of the two ways are {:.2e} N apart, as drag of the liquid or drift makes them",
+            (one - other).abs()
+        )
+    } else if experiment.work_of_adhesion_receding.is_some_and(is_below) {
+        // The loop is that beside a model that gains energy.
+        "the fitted model gains energy on unloading, as a zero of the load or a position that drifts makes it".to_owned()
+    } else {
+        "hysteresis: viscous, of the adhesion, or plastic; or a position that drifts".to_owned()
+    };
     let step = match (has_directions, two_works || levels.is_some()) {
         (_, true) => "",
         (true, false) => {
@@ -132,7 +135,8 @@ pub(crate) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
             "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
              penetration: the sample has deformed plastically, or recovers more slowly than it \
              was unloaded, and the loading tells no elastic modulus; fit the upper part of \
-             the unloading alone (loads above half of the largest) with a free contact point",
+             the unloading alone (loads above half of the largest) with a free contact point. A position that \
+             drifts leaves such a depth, too, and both ways then tell a wrong modulus: take the drift off first",
             1e2 * depth / largest
         )));
     }

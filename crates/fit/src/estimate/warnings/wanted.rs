@@ -3,17 +3,17 @@
 //! The gain of a further parameter is the decrease of the sum of squares that the linearised model
 //! predicts for it (Rao's score test). No further fit is made.
 
-use interp::Probe;
 use nalgebra::DVector;
 
-use super::{line_law, lost_radii};
+use super::unfitted_pull::{adhesion_seen, unfitted_pull};
+use super::{files_apart, line_law, lost_radii};
 use crate::estimate::fixed_values::residuals_of;
 use crate::estimate::problem::Problem;
 use crate::estimate::problem::assigned::Assigned;
 use crate::estimate::problem::loss::influence;
 use crate::estimate::problem::uncertainty::Uncertainty;
 use crate::statistics::BEYOND_CHANCE;
-use crate::{Experiment, Kind, Loss, Parameter, Warning, WarningKind};
+use crate::{Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -23,6 +23,9 @@ const LEFT: f64 = 1e-3;
 const HINT: f64 = 3.5;
 /// The same of a spring, whose stiffness is given more often than a zero is: by chance one fit of 15,000 or fewer reaches it.
 const OF_SPRING: f64 = 4.0;
+/// What looks like a spring in one curve.
+const OTHERWISE: &str = "if this cannot be, check the thickness, the Poisson ratio, the scale of the positions, and whether \
+     the bodies relax on the way, which look alike";
 /// The change of a value found, in its standard errors, from which on a zero misleads.
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
@@ -57,6 +60,7 @@ pub(crate) fn add(
     }
     let explained = adhesion.map_or(0.0, |found| found.0.significance);
     let mut law_is_doubted = false;
+    let mut apart = Vec::new();
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if experiment.measurement.kind.is_stiffness() || lost_radii::doubt(assigned).is_some() {
@@ -81,16 +85,23 @@ pub(crate) fn add(
                 continue;
             }
         }
+        let own_value = files_apart::own_value(&score, e);
         if let Some(spring) = score.spring(e, zeros.clone(), explained) {
             warnings.push(spring);
+            apart.extend(own_value);
         } else {
-            zeros_wanted(warnings, &score, e, zeros, explained);
+            // What a value of its own explains better is no zero.
+            let own = own_value.as_ref().map_or(0.0, |own| own.significance);
+            let named = warnings.len();
+            zeros_wanted(warnings, &score, e, zeros, explained.max(own));
+            apart.extend(own_value.filter(|_| warnings.len() == named));
         }
         // By adhesion that depends on the speed loading and unloading differ, too.
         if !fitted.contains(&Parameter::WorkOfAdhesionReceding) && !experiment.has_line_law() {
             warnings.extend(score.mixed(e));
         }
     }
+    files_apart::add(warnings, &score, &apart);
     if !law_is_doubted {
         warnings.extend(line_law::doubt_of_retracts(problem));
     }
@@ -142,41 +153,6 @@ fn zeros_wanted(
     }
 }
 
-/// Returns the force by which the contact of experiment `e` pulls, N, if forces against positions are fitted without
-/// adhesion and show a pull.
-fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
-    let assigned = &problem.assigned[e];
-    let experiment = &assigned.experiment;
-    let kind = experiment.measurement.kind;
-    let is_free = |parameter: &Parameter| parameter.is_work_of_adhesion();
-    let is_without = kind.at_positions()
-        && experiment.work_of_adhesion == 0.0
-        && experiment
-            .work_of_adhesion_receding
-            .is_none_or(|work| work == 0.0)
-        && !problem.parameters_of(e).iter().any(is_free);
-    let noise = assigned.local_noise.unwrap_or(assigned.noise);
-    is_without.then(|| experiment.pull(noise)).flatten()
-}
-
-/// Says that data show adhesion, with the force by which the contact pulls, N.
-fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
-    let advice = if experiment.relaxing.is_some() {
-        "contacts that relax are fitted without: leave the points of the retract out, and keep those of approach and hold"
-    } else if let Probe::FlatPunch { .. } = experiment.bodies.probe {
-        "the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a larger one than \
-         that, such as 1 J/m^2, for the fit of the rest"
-    } else {
-        "the work of adhesion is 0 and not fitted: free it (work-of-adhesion); without it the modulus and the zeros of the \
-         instrument make up for it"
-    };
-    format!(
-        "{}: the force falls {pull:.1e} N below the baseline and jumps back to it where the contact ends, which is \
-         adhesion, and {advice}",
-        experiment.measurement.name
-    )
-}
-
 /// Returns the derivatives of the residuals with respect to a parameter of experiment `e` at the points chosen, and 0
 /// elsewhere.
 pub(crate) fn column(
@@ -201,13 +177,13 @@ pub(super) struct Gain {
     /// The decrease of the sum of squares.
     pub chi_squared: f64,
     /// The same in units of the variance of the residuals.
-    significance: f64,
+    pub significance: f64,
     /// The change of the parameter.
     pub change: f64,
 }
 
 impl Gain {
-    fn is_significant(&self) -> bool {
+    pub fn is_significant(&self) -> bool {
         self.significance > BEYOND_CHANCE * BEYOND_CHANCE
     }
 }
@@ -242,7 +218,7 @@ impl<'a> Score<'a> {
     }
 
     /// Returns the gain of a parameter of experiment `e` at the points chosen, and its column.
-    fn gain_of(
+    pub fn gain_of(
         &self,
         e: usize,
         parameter: Parameter,
@@ -359,7 +335,7 @@ impl<'a> Score<'a> {
 
     /// Warns of a spring in series with the contact that explains the data of experiment `e` better than each of these zeros
     /// and than adhesion, of which the significance is given: the frame, the load cell, or a cantilever of another
-    /// stiffness. Its compliance moves the contact point in proportion to the load.
+    /// stiffness.
     fn spring(
         &self,
         e: usize,
@@ -384,13 +360,8 @@ impl<'a> Score<'a> {
             Kind::ForceHeight => experiment.stiffness,
             _ => return None,
         };
-        let mut column = column(self.problem, e, Parameter::ContactPoint, |_| true)?;
-        let predicted = self.problem.predict(e, &[]).ok()?.values;
+        let column = self.spring_column(e)?;
         let rows = &self.problem.rows_of_experiments()[e];
-        for (row, i) in rows.clone().zip(own.counting_points()) {
-            let load = predicted[i] - experiment.baseline_at(measurement.points[i].abscissa);
-            column[row] *= experiment.sense() * load;
-        }
         let gain = self.gain(&column)?;
         let compliance = given.map_or(0.0, f64::recip) + gain.change;
         let of_zeros = self.largest_gain(e, zeros);
@@ -420,7 +391,7 @@ impl<'a> Score<'a> {
             None => format!(
                 "{name}: the penetrations seem to hold the deflection of a spring of the order of {stiffness:.0e} N/m in \
                  series with the contact, such as a frame or load cell: it would lower chi^2 by {gain:.0}, more than any zero; subtract \
-                 load/stiffness from the penetrations, or fit them as heights with the stiffness"
+                 load/stiffness from the penetrations, or fit them as heights with the stiffness; {OTHERWISE}"
             ),
             Some(given) if experiment.from_deflection => format!(
                 "{name}: deflections {:.3} times as large would lower chi^2 by {gain:.0}, more than any zero: check the \
@@ -429,9 +400,38 @@ impl<'a> Score<'a> {
             ),
             Some(given) => format!(
                 "{name}: a stiffness of some {stiffness:.2e} N/m in place of {given:.2e} would lower chi^2 by {gain:.0}, \
-                 more than any zero: check it, or free it (stiffness)"
+                 more than any zero: check it, or free it (stiffness); {OTHERWISE}"
             ),
         }))
+    }
+
+    /// Returns the derivatives of the residuals of experiment `e` with respect to the compliance of a spring in series with the
+    /// contact, which moves the contact point in proportion to the load.
+    fn spring_column(&self, e: usize) -> Option<DVector<f64>> {
+        let own = &self.problem.assigned[e];
+        let experiment = &own.experiment;
+        let mut column = column(self.problem, e, Parameter::ContactPoint, |_| true)?;
+        let predicted = self.problem.predict(e, &[]).ok()?.values;
+        let rows = self.problem.rows_of_experiments()[e].clone();
+        for (row, i) in rows.zip(own.counting_points()) {
+            let abscissa = experiment.measurement.points[i].abscissa;
+            let load = predicted[i] - experiment.baseline_at(abscissa);
+            column[row] *= experiment.sense() * load;
+        }
+        Some(column)
+    }
+
+    /// Returns the decrease of the sum of squares by one spring in series with the contacts of all files; 0 where they are not
+    /// against positions.
+    pub fn gain_of_one_spring(&self) -> f64 {
+        let mut sum = DVector::zeros(self.residuals.len());
+        for e in 0..self.problem.assigned.len() {
+            let Some(column) = self.spring_column(e) else {
+                return 0.0;
+            };
+            sum += column;
+        }
+        self.gain(&sum).map_or(0.0, |gain| gain.chi_squared)
     }
 
     /// Warns if approach and retract, or loading and unloading in time, differ.
