@@ -28,6 +28,7 @@ fn names_are_read_as_they_are_written() {
         ("half-angle", "half_angle"),
         ("beta", "beta"),
         ("contact-radius", "contact_radius"),
+        ("contact-radius-zero", "contact_radius_zero"),
         ("load", "load"),
         ("film-thickness", "film_thickness"),
         ("work-of-adhesion", "work_of_adhesion"),
@@ -84,14 +85,23 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
     });
     let listed = here.fixed_values.iter().map(|one| one.quantity.name());
     assert_eq!(listed.collect::<Vec<_>>().join(" "), names, "{name}");
-    // The changes told are in proportion to small ones. Fits end within 1 % of a standard error, which is much of the
-    // effect of a small change, unless they find one value.
-    let part = if free.len() == 1 { 0.02 } else { 0.5 };
     for one in &here.fixed_values {
+        // The changes told are in proportion to small ones. Fits end within 1 % of a standard error, which is much of the
+        // effect of a small change, unless they find one value.
+        let part = match one.quantity {
+            _ if free.len() == 1 => 0.02,
+            // It moves the values by up to 90 standard errors.
+            Fixed::ContactRadiusZero => 0.1,
+            _ => 0.5,
+        };
         let values = |value: f64| {
             let mut changed = experiment.clone();
             match one.quantity {
                 Fixed::Scale(scale) => multiply(&mut changed, scale, value, &here),
+                Fixed::ContactRadiusZero => {
+                    let points = changed.measurement.points.iter_mut();
+                    points.for_each(|point| point.abscissa -= value);
+                }
                 quantity => changed.set_fixed(quantity, value).expect("physical"),
             }
             let found = found(&changed, free, |options| options.loss = loss);
@@ -122,7 +132,7 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
 #[test]
 fn changes_are_those_of_fits_with_other_values() {
     let of_film = "sphere-radius substrate-modulus substrate-poisson-ratio film-modulus \
-                  film-poisson-ratio film-thickness load-offset contact-radius load";
+                  film-poisson-ratio film-thickness load-offset contact-radius-zero contact-radius load";
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
     for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
@@ -148,7 +158,7 @@ fn changes_are_those_of_fits_with_other_values() {
     let stiffness = noisy(&at_radii(&oxide(), [5e-8, 1.5e-6], 30), 0.01, 1);
     let free = free_of(&[Parameter::FilmModulus]);
     let names = "substrate-modulus substrate-poisson-ratio beta sphere-modulus film-poisson-ratio film-thickness \
-                 contact-radius contact-stiffness";
+                 contact-radius-zero contact-radius contact-stiffness";
     assert_as_refits("beta", &stiffness, &free, Loss::Squares, names);
     // A confined film that keeps its volume: the modulus follows the Poisson ratio far from in proportion.
     let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
@@ -310,7 +320,8 @@ fn a_value_that_a_calibration_decides_is_doubted() {
         .expect("listed");
     let percent = 1e2 * row.changes[0] / here.estimates[0].value;
     let words = format!(
-        "film-modulus changes by {percent:+.0} % with +1 % of contact-radius, and by more than 10 % with sphere-radius, load, \
+        "film-modulus changes by {percent:+.0} % with +1 % of contact-radius, and by more than 10 % with contact-radius-zero, \
+         sphere-radius, load, \
          sphere-modulus, film-poisson-ratio; give the errors"
     );
     assert!(percent < -50.0);

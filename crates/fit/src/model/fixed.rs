@@ -5,41 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use interp::{Elastic, Probe};
 
-use super::{Experiment, Kind, LayerName, LayerQuantity, Parameter, Reach, Relaxing};
+use super::{Experiment, Kind, LayerName, LayerQuantity, Parameter, Reach, Relaxing, Scale};
 use crate::Error;
 use units::Dimension;
-
-named! {
-    /// A quantity that an instrument reads. Where its calibration is off, all readings err by one factor, from their zero.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum Scale {
-        /// Contact radii: the scale of a microscope.
-        ContactRadius = "contact-radius",
-        /// Penetrations.
-        Penetration = "penetration",
-        /// Heights of the base of a cantilever.
-        Height = "height",
-        /// Loads: those of a load cell, or of a cantilever by the sensitivity of its deflection.
-        Load = "load",
-        /// Contact stiffnesses.
-        ContactStiffness = "contact-stiffness",
-    }
-}
-
-impl Kind {
-    /// Returns the quantities that are read as abscissa and ordinate.
-    pub(crate) const fn scales(self) -> [Scale; 2] {
-        match self {
-            Self::LoadRadius => [Scale::ContactRadius, Scale::Load],
-            Self::PenetrationRadius => [Scale::ContactRadius, Scale::Penetration],
-            Self::LoadPenetration => [Scale::Penetration, Scale::Load],
-            Self::ForceHeight => [Scale::Height, Scale::Load],
-            Self::StiffnessRadius => [Scale::ContactRadius, Scale::ContactStiffness],
-            Self::StiffnessLoad => [Scale::Load, Scale::ContactStiffness],
-            Self::StiffnessDepth => [Scale::Penetration, Scale::ContactStiffness],
-        }
-    }
-}
 
 /// A value that a fit takes as given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +22,9 @@ pub enum Fixed {
     Beta,
     /// A factor on all readings of a quantity, which is 1.
     Scale(Scale),
+    /// The reading at which the contact radius is 0, which is 0 m: by this length all radii are read too large, as by a
+    /// threshold in a picture.
+    ContactRadiusZero,
     /// Young's modulus of the substrate, or of the base of a stack, Pa.
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
@@ -84,7 +55,7 @@ impl Fixed {
     pub const fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Parameter(parameter) => parameter.dimension(),
-            Self::SphereRadius => Some(Dimension::Length),
+            Self::SphereRadius | Self::ContactRadiusZero => Some(Dimension::Length),
             Self::HalfAngle => Some(Dimension::Angle),
             Self::SubstrateModulus | Self::ReferenceModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
@@ -105,6 +76,7 @@ impl Fixed {
             Self::HalfAngle => "half-angle".into(),
             Self::Beta => "beta".into(),
             Self::Scale(scale) => scale.name().into(),
+            Self::ContactRadiusZero => "contact-radius-zero".into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
             Self::ReferenceModulus => "reference-modulus".into(),
@@ -130,6 +102,7 @@ impl Fixed {
             Self::SphereRadius,
             Self::HalfAngle,
             Self::Beta,
+            Self::ContactRadiusZero,
             Self::SubstrateModulus,
             Self::SubstratePoissonRatio,
             Self::ReferenceModulus,
@@ -167,6 +140,7 @@ impl Fixed {
     pub const fn errs_in_proportion(self) -> bool {
         match self {
             Self::Parameter(parameter) => parameter.is_positive(),
+            Self::ContactRadiusZero => false,
             _ => !self.is_poisson_ratio(),
         }
     }
@@ -228,7 +202,7 @@ impl Experiment {
                         && self.why_without_effect(*parameter).is_none()
                 }
                 Fixed::SphereRadius | Fixed::HalfAngle => self.has_shape(false),
-                Fixed::Beta => true,
+                Fixed::Beta | Fixed::ContactRadiusZero | Fixed::Scale(_) => true,
                 _ => !in_table,
             };
             let is_usual = |value: f64| !one.errs_in_proportion() || value > 0.0;
@@ -239,6 +213,7 @@ impl Experiment {
         };
         let mut all = self.quantities();
         all.insert(1, Fixed::HalfAngle);
+        all.push(Fixed::ContactRadiusZero);
         all.extend(Scale::ALL.map(Fixed::Scale));
         all.retain(matters);
         all
@@ -284,6 +259,7 @@ impl Experiment {
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
             Fixed::Scale(scale) => self.is_read(scale).then_some(1.0),
+            Fixed::ContactRadiusZero => self.is_read(Scale::ContactRadius).then_some(0.0),
             Fixed::ReferenceModulus => reference.map(|solid| solid.young()),
             Fixed::ReferencePoissonRatio => reference.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
@@ -306,6 +282,9 @@ impl Experiment {
         match (one, self.value_of(one)) {
             (Fixed::Scale(_), _) => {
                 return wrong("left out: it is 1; multiply readings that are off in the data");
+            }
+            (Fixed::ContactRadiusZero, _) => {
+                return wrong("left out: it is 0; subtract it from the contact radii in the data");
             }
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
@@ -341,6 +320,7 @@ impl Experiment {
             Fixed::Parameter(parameter) => self.replace(parameter, value)?,
             Fixed::Beta => self.indentation.beta = value,
             Fixed::Scale(scale) => self.multiply_readings(scale, value),
+            Fixed::ContactRadiusZero => self.move_radii(-value),
             Fixed::SphereRadius => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
@@ -382,43 +362,5 @@ impl Experiment {
             }
         }
         Ok(())
-    }
-
-    /// Tells whether a quantity is read.
-    fn is_read(&self, scale: Scale) -> bool {
-        let has_loads = !self.indentation.loads.is_empty();
-        self.measurement.kind.scales().contains(&scale) || (scale == Scale::Load && has_loads)
-    }
-
-    /// Multiplies all readings of a quantity, from their zero. Of contact radii the speeds of the contact line follow.
-    fn multiply_readings(&mut self, scale: Scale, factor: f64) {
-        let [abscissa, ordinate] = self.measurement.kind.scales();
-        let first = if self.measurement.kind.at_positions() {
-            self.contact_point
-        } else {
-            0.0
-        };
-        let mut points = std::mem::take(&mut self.measurement.points);
-        for point in &mut points {
-            if scale == ordinate {
-                let zero = self.baseline_at(point.abscissa);
-                point.ordinate = zero + factor * (point.ordinate - zero);
-            }
-            if scale == abscissa {
-                point.abscissa = first + factor * (point.abscissa - first);
-            }
-        }
-        self.measurement.points = points;
-        if scale == Scale::Load {
-            self.indentation
-                .loads
-                .iter_mut()
-                .for_each(|load| *load *= factor);
-        }
-        if scale == Scale::ContactRadius {
-            self.line_speeds
-                .iter_mut()
-                .for_each(|line| line.speed *= factor);
-        }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the points
 //! with all that is known about them, `errors` their standard deviations. `free` is what is to be found
-//! and how, `fixed` what is taken as given. `assign` reads the `branch` of each point from the data,
+//! and how, `fixed` what is taken as given, `scale` the calibration of what is read. `assign` reads the `branch` of each point from the data,
 //! and finds loading and unloading; `split` tells where contact and baseline meet, on a baseline whose
 //! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `predictor`, `readings`
 //! and, under adhesion hysteresis, `turn`; `line_speed` is adhesion that depends on the speed of the contact line; `bodies` are what touches, `layer` is one of their layers, `solver` makes contacts on layers,
@@ -33,6 +33,7 @@ mod predictor;
 mod program;
 mod readings;
 mod relaxing;
+mod scale;
 mod simulate;
 mod solver;
 mod split;
@@ -47,7 +48,7 @@ pub(crate) use differences::{ContactOf, contacts_of};
 pub(crate) use errors::AbscissaError;
 pub use errors::PointErrors;
 pub use experiment::Experiment;
-pub use fixed::{Fixed, Scale};
+pub use fixed::Fixed;
 pub(crate) use free::has_no_start;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
@@ -60,5 +61,6 @@ pub(crate) use predicted::{Predicted, ends_of_radii};
 pub use prediction::Prediction;
 pub(crate) use program::Program;
 pub use relaxing::Relaxing;
+pub use scale::Scale;
 pub use simulate::simulate;
 pub use solver::{Reach, Solver};

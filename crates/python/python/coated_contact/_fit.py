@@ -73,7 +73,8 @@ def fit(
         ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``half_angle``,
         ``substrate_modulus`` and ``substrate_poisson_ratio``, and ``beta`` of a contact
         stiffness. ``{"load": 0.02}`` is a calibration by which all loads err together, by 2 %;
-        ``contact_radius``, ``penetration``, ``height`` and ``contact_stiffness`` have one, too.
+        ``contact_radius``, ``penetration``, ``height`` and ``contact_stiffness`` have one, too, and
+        ``contact_radius_zero`` is the length (m) by which a threshold reads all radii too large.
         The fit keeps the values, and their errors add to the standard errors and the
         correlation: to the first order, independent of one another. Where experiments have
         different values, the error is that of the first, and the others err in proportion;

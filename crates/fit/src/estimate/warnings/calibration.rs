@@ -1,9 +1,9 @@
 //! Values that follow a value taken as given, or a calibration, far more than in proportion.
 
-use crate::{Estimate, FixedValue, Warning, WarningKind};
+use crate::{Estimate, Fixed, FixedValue, Warning, WarningKind};
 
-/// The part by which a value changes with 1 % of a given one, or 0.01 of a Poisson ratio, from which on hardly anybody
-/// knows the given one well enough.
+/// The part by which a value changes with 1 % of a given one, 0.01 of a Poisson ratio, or a zero of the contact radii of 1 % of
+/// the largest, from which on hardly anybody knows the given one well enough.
 const LARGE: f64 = 0.1;
 
 /// Doubts values whose standard errors say little beside what given values do that are known to 1 %.
@@ -21,7 +21,9 @@ pub(in crate::estimate) fn doubts(
         let least = (LARGE * estimate.value).max(estimate.standard_error);
         let size = |one: &FixedValue| one.changes[i].abs();
         let is_large = |one: &&FixedValue| {
-            let is_zero = !one.quantity.errs_in_proportion() && !one.quantity.is_poisson_ratio();
+            let is_zero = !one.quantity.errs_in_proportion()
+                && !one.quantity.is_poisson_ratio()
+                && one.quantity != Fixed::ContactRadiusZero;
             !is_zero && one.error.is_none() && size(one) > least
         };
         let mut rows: Vec<_> = fixed_values.iter().filter(is_large).collect();
@@ -30,6 +32,8 @@ pub(in crate::estimate) fn doubts(
         let by = 1e2 * first.changes[i] / estimate.value;
         let step = if first.quantity.is_poisson_ratio() {
             format!("{:+}", first.step)
+        } else if first.quantity == Fixed::ContactRadiusZero {
+            format!("{:+.1e} m", first.step)
         } else {
             format!("{:+.0} %", 1e2 * first.step / first.value)
         };

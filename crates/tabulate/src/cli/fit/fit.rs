@@ -112,7 +112,8 @@ pub struct Arguments {
     /// film-thickness=2e-6+-1e-7, also sphere-radius, half-angle=+-2deg, substrate-modulus, substrate-poisson-ratio,
     /// reference-modulus, reference-poisson-ratio, beta. A value that is given elsewhere is left out: film-thickness=+-3%, a part by which the values of all files err
     /// together. The calibration of an instrument, by which all its readings err together, is one of contact-radius,
-    /// penetration, height, load (also by the sensitivity of a deflection), contact-stiffness: load=+-2%. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// penetration, height, load (also by the sensitivity of a deflection), contact-stiffness: load=+-2%; that of a threshold by
+    /// which all contact radii are read too large is contact-radius-zero=+-1um. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
     #[arg(long = "known", value_name = "NAME=[VALUE]+-ERROR")]

@@ -64,7 +64,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         ),
         (
             WarningKind::Calibration,
-            "the error of a given value or of a calibration: --known NAME=+-1%, and of a Poisson ratio --known NAME=+-0.01",
+            "the error of a given value or of a calibration: --known NAME=+-1%, of a Poisson ratio --known NAME=+-0.01, of contact \
+             radii that are all too large or small --known contact-radius-zero=+-1um",
         ),
         (WarningKind::SpringWanted, spring),
         (
