@@ -67,8 +67,10 @@ fn forget_moved_builds(target: &Path) -> Result<(), String> {
         let Ok(cache) = fs::read_to_string(build.join("CMakeCache.txt")) else {
             continue;
         };
-        let own = format!("CMAKE_CACHEFILE_DIR:INTERNAL={}", build.display());
-        if !cache.lines().any(|line| line == own) {
+        let own = build.display().to_string();
+        // Once cmake has refused, only some of the lines name the old folder.
+        let mut names = cache.lines().filter(|line| line.contains("out/build"));
+        if names.any(|line| !line.contains(&own)) {
             workspace::clear(&build)?;
         }
     }
@@ -124,7 +126,7 @@ mod tests {
         let build = |name: &str| target.join(format!("release/build/{name}/out/build"));
         let configured = |name: &str, folder: &Path| {
             fs::create_dir_all(build(name)).expect("a new folder");
-            let text = format!("# x\nCMAKE_CACHEFILE_DIR:INTERNAL={}\n", folder.display());
+            let text = format!("X:INTERNAL=1\nOUTPUT:PATH={}/bin\n", folder.display());
             fs::write(build(name).join("CMakeCache.txt"), text).expect("a new file");
         };
         configured("moved", Path::new("/another/release/build/moved/out/build"));
