@@ -211,9 +211,9 @@ fn completions_and_man_pages_mention_every_command_and_option() {
         }
         assert_names(&script, &["film-thickness", "certificate-points"]);
     }
-    // A shell can read it, where there is one.
-    let run =
-        workdir.script("command -v bash >/dev/null || exit 0\n\"$0\" completions bash | bash -n");
+    // A shell can read it, where there is one. Bash warns of a locale that is not installed.
+    let run = workdir
+        .script("command -v bash >/dev/null || exit 0\n\"$0\" completions bash | LC_ALL=C bash -n");
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
 
     for (name, text) in &helps {

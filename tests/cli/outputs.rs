@@ -1,9 +1,9 @@
 //! The files that commands write: never an input, never through a link to nothing, and nothing is
 //! left beside them for good.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Permissions};
 use std::io::Write;
-use std::os::unix::fs::symlink;
+use std::os::unix::fs::{PermissionsExt, symlink};
 use std::process::{Command, Stdio};
 use std::thread::yield_now;
 
@@ -123,6 +123,60 @@ fn a_read_only_file_is_not_replaced() {
     fs::set_permissions(&file, permissions).expect("ours");
     workdir.refuses("1 | generate scene -o kept.h5 | kept.h5; read-only; another name");
     assert_eq!(workdir.read("kept.h5"), b"kept");
+}
+
+/// Those of a new file would let all read what was private, and keep a group from writing what was shared.
+#[test]
+fn a_file_that_is_replaced_keeps_its_permissions() {
+    let workdir = workdir();
+    for mode in [0o600, 0o640, 0o664] {
+        for (command, output) in [
+            ("solve --points points", "out.csv"),
+            ("unpack table", "out.h5"),
+        ] {
+            let file = workdir.write(output, "old");
+            fs::set_permissions(&file, Permissions::from_mode(mode)).expect("ours");
+            workdir.succeed(format!("{command} -o {output}"));
+            let data = fs::metadata(&file).expect("a file");
+            assert_eq!(data.permissions().mode() & 0o777, mode, "{command}");
+        }
+    }
+}
+
+#[test]
+fn a_minus_as_input_is_told_the_name_of_standard_input() {
+    workdir().refuses(
+        "
+        1 | solve --points - | -; /dev/stdin
+        1 | generate - -o x.h5 | -; /dev/stdin
+        1 | fit - --half-space | -; /dev/stdin
+        1 | plot effects --data - -o x.svg | -; /dev/stdin
+        ",
+    );
+    let missing = workdir().fail(1, "solve --points none.csv");
+    assert!(!missing.contains("/dev/stdin"), "{missing}");
+}
+
+#[test]
+fn a_missing_temporary_folder_is_told_with_the_variable_that_names_it() {
+    let run = workdir().script("TMPDIR=missing \"$0\" cost table scene");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, "cannot write missing; TMPDIR");
+}
+
+/// A stack that no machine has room for stands for a limit on the number of threads.
+#[test]
+fn a_fit_needs_no_further_thread_and_a_solve_tells_the_variable_of_their_number() {
+    let workdir = workdir();
+    let data = "contact_radius,load\n1e-5,1e-6\n2e-5,8e-6\n3e-5,27e-6\n";
+    workdir.write("data.csv", data);
+    let without = "RUST_MIN_STACK=1000000000000000000 exec \"$0\"";
+    let fit = "fit data.csv --half-space --sphere-radius 1mm --sphere-modulus inf --work-of-adhesion 0 --film-poisson-ratio 0.5 --free film-modulus";
+    let run = workdir.script(&format!("{without} {fit}"));
+    assert_eq!(run, workdir.run(fit), "{run:?}");
+    let run = workdir.script(&format!("{without} solve --points points"));
+    assert_ne!(run.status, 0, "{run:?}");
+    assert_names(&run.stderr, "does not give the threads; RAYON_NUM_THREADS");
 }
 
 /// The names of the hidden files in a folder.

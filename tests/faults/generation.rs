@@ -7,14 +7,15 @@
 //! may come too late, the attempt is repeated.
 
 use std::fs;
+use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, Command};
+use std::process::{Child, Command, Output};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 
-use acceptance::{Contacts, Workdir, assert_names, start};
+use acceptance::{Contacts, Workdir, arguments, assert_names, start};
 use interp::Table;
 use tabulate::Error;
 use tabulate::table::{Budget, Generated, Observer, Options, Scene, generate};
@@ -304,40 +305,63 @@ fn refined_once(workdir: &Workdir) -> [usize; 2] {
     [first, made.points - first]
 }
 
+/// Starts the program with a signal set as an option of `env` says, sends it when eight pieces are kept, and waits.
+/// A script in the background would let it ignore SIGINT.
+fn interrupt(workdir: &Workdir, option: &str, signal: &str) -> Output {
+    let mut command = Command::new("env");
+    command.args([
+        &format!("--{option}-signal={signal}"),
+        env!("CARGO_BIN_EXE_tabulate-under-test"),
+    ]);
+    let mut child = start(
+        command
+            .args(arguments(RESUME))
+            .current_dir(workdir.path(".")),
+    );
+    if reaches(workdir, &mut child, bytes(8 * piece_points()) + 1) {
+        send(&format!("-{signal}"), &child);
+    }
+    child.wait_with_output().expect("it ends")
+}
+
+/// A process that ends by a status, and not by the signal, lets a script go on that Ctrl-C interrupts.
 #[test]
-fn ctrl_c_says_what_is_kept_and_how_to_go_on() {
-    // A script in the background lets its processes ignore the signal.
-    let generate = |journal: usize| {
-        format!(
-            "env --default-signal=INT \"$0\" {RESUME} & child=$!
-             until [ $(stat -c %s {JOURNAL} 2>/dev/null || echo 0) -gt {journal} ]; do
-                 kill -0 $child 2>/dev/null || break; sleep 0.01
-             done
-             kill -INT $child; wait $child; echo status $?"
-        )
-    };
-    // On a busy machine a signal may find the process finished.
-    let (workdir, run) = loop {
+fn ctrl_c_and_schedulers_are_told_what_is_kept_and_how_to_go_on() {
+    for (signal, number) in [("INT", 2), ("TERM", 15)] {
+        // On a busy machine a signal may find the process finished.
+        let (workdir, output) = loop {
+            let workdir = workdir();
+            let output = interrupt(&workdir, "default", signal);
+            if workdir.path(JOURNAL).exists() {
+                break (workdir, output);
+            }
+        };
+        assert_eq!(output.status.signal(), Some(number), "{output:?}");
+        let message = String::from_utf8(output.stderr).expect("UTF-8");
+        let total = pieces() * piece_points();
+        let mut words = message.split(' ');
+        let kept = words.find_map(|word| word.parse::<usize>().ok());
+        let kept = kept.expect("a number of points");
+        let are_pieces = kept >= 7 * piece_points() && kept.is_multiple_of(piece_points());
+        assert!(are_pieces, "{kept}");
+        let words = "points solved; kept in table.h5.unfinished; --resume";
+        assert_names(&message, &format!("{kept} of {total} {words}"));
+        // As many as it says are there. One more may have been finished while it spoke.
+        let text = workdir.succeed(RESUME);
+        let resumed = [kept, kept + piece_points()].map(|kept| format!("({kept} before"));
+        assert!(resumed.iter().any(|words| text.contains(words)), "{text}");
+        assert_finished(&workdir);
+    }
+}
+
+#[test]
+fn a_generation_that_was_started_to_ignore_a_signal_goes_on() {
+    for signal in ["INT", "TERM"] {
         let workdir = workdir();
-        let run = workdir.script(&generate(bytes(8 * piece_points())));
-        if workdir.path(JOURNAL).exists() {
-            break (workdir, run);
-        }
-    };
-    assert_eq!(run.stdout, "status 130\n");
-    let total = pieces() * piece_points();
-    let mut words = run.stderr.split(' ');
-    let kept = words.find_map(|word| word.parse::<usize>().ok());
-    let kept = kept.expect("a number of points");
-    let are_pieces = kept >= 7 * piece_points() && kept.is_multiple_of(piece_points());
-    assert!(are_pieces, "{kept}");
-    let words = "points solved; kept in table.h5.unfinished; --resume";
-    assert_names(&run.stderr, &format!("{kept} of {total} {words}"));
-    // As many as it says are there. One more may have been finished while it spoke.
-    let text = workdir.succeed(RESUME);
-    let resumed = [kept, kept + piece_points()].map(|kept| format!("({kept} before"));
-    assert!(resumed.iter().any(|words| text.contains(words)), "{text}");
-    assert_finished(&workdir);
+        let output = interrupt(&workdir, "ignore", signal);
+        assert!(output.status.success(), "{output:?}");
+        assert_finished(&workdir);
+    }
 }
 
 /// Generates `table.h5` in this process, and calls `meanwhile` before the first piece is solved.

@@ -65,9 +65,10 @@ pub fn nothing_starts() -> MutexGuard<'static, ()> {
     STARTING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Starts a program, whose output is captured.
+/// Starts a program, whose output is captured. Help texts do not depend on the width of the terminal of who tests.
 pub fn start(command: &mut Command) -> Child {
     let _guard = nothing_starts();
+    let command = command.env_remove("COLUMNS");
     let captured = command.stdout(Stdio::piped()).stderr(Stdio::piped());
     captured.spawn().expect("the program starts")
 }

@@ -46,7 +46,7 @@ pub fn interruptible<T: Send>(
 }
 
 /// Does `work` as [`interruptible`] does, with `look` at every look at signals, before every call, and at the end. If
-/// one of these raises, it is as after a signal.
+/// one of these raises, it is as after a signal. Raises `OSError` where the system gives no thread.
 pub fn attended<'a, T: Send>(
     py: Python<'_>,
     interrupted: &AtomicBool,
@@ -56,7 +56,7 @@ pub fn attended<'a, T: Send>(
     let (sender, mut calls) = channel::<Call<'a>>();
     thread::scope(|scope| {
         // The calls end with the work, also by a panic.
-        let worker = scope.spawn(move || work(Calls(sender)));
+        let worker = thread::Builder::new().spawn_scoped(scope, move || work(Calls(sender)))?;
         let mut heard = Ok(());
         let mut goes_on = true;
         while goes_on {

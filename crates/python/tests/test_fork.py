@@ -8,6 +8,8 @@ import os
 import pickle
 import select
 import signal
+import subprocess
+import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -135,3 +137,18 @@ def test_a_child_of_a_parent_whose_threads_compute(expected):
         stop.set()
         for thread in threads:
             thread.join()
+
+
+def test_a_solve_without_a_further_thread_is_an_error_of_the_system():
+    """A stack that no machine has room for stands for a limit on the number of threads."""
+    script = "from coated_contact import solve\nsolve([1.0], 1.75, 0.3, 1e5)"
+    environment = {
+        **os.environ,
+        "RUST_MIN_STACK": str(10**18),
+        "PYTHONPATH": os.pathsep.join(sys.path),
+    }
+    run = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True
+    )
+    assert "BlockingIOError" in run.stderr, run.stderr
+    assert "panic" not in run.stderr

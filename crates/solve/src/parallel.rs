@@ -3,6 +3,7 @@
 //! A child of fork has one thread. The threads of rayon's global pool are those of its parent: work
 //! that a child gives them is never done. So a child makes threads of its own.
 
+use std::error::Error;
 use std::mem;
 use std::process;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
@@ -10,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 use std::thread;
 
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 /// The process that has the threads of rayon's global pool; 0 before their first use.
 static FIRST: AtomicU32 = AtomicU32::new(0);
@@ -42,14 +43,30 @@ pub fn prepare_for_forks() {
 /// caller's pool, those of rayon's global pool, or in the child of a fork its own.
 ///
 /// # Panics
-/// In the child of a fork to which the operating system gives no thread.
+/// Where the operating system does not give the threads.
 pub fn on_all_cores<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     let own = process::id();
     let first = FIRST.compare_exchange(0, own, Ordering::Relaxed, Ordering::Relaxed);
-    if first.is_ok() || first == Err(own) || rayon::current_thread_index().is_some() {
+    let has_pool = rayon::current_thread_index().is_some();
+    if first.is_ok()
+        && !has_pool
+        && let Err(error) = ThreadPoolBuilder::new().build_global()
+        // Without a source it says that they have been made.
+        && error.source().is_some()
+    {
+        without_threads(&error);
+    }
+    if first.is_ok() || first == Err(own) || has_pool {
         return work();
     }
     threads_of_child(own).install(work)
+}
+
+fn without_threads(error: &ThreadPoolBuildError) -> ! {
+    panic!(
+        "the operating system does not give the threads ({error}): set the environment variable RAYON_NUM_THREADS to a \
+         smaller number"
+    )
 }
 
 /// Returns the threads of the process `own`, the child of a fork. The first call makes them.
@@ -61,7 +78,7 @@ fn threads_of_child(own: u32) -> Arc<ThreadPool> {
         return Arc::clone(threads);
     }
     let made = ThreadPoolBuilder::new().build();
-    let made = Arc::new(made.expect("the operating system gives threads"));
+    let made = Arc::new(made.unwrap_or_else(|error| without_threads(&error)));
     let Some(mut held) = of_child() else {
         return made;
     };

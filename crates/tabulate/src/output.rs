@@ -126,7 +126,8 @@ impl Unfinished {
         &self.data
     }
 
-    /// Flushes the file to disk and renames it to its target.
+    /// Flushes the file to disk and renames it to its target. It gets the permissions of a file that it replaces:
+    /// what was private stays so.
     ///
     /// # Errors
     /// [`Error::Write`] naming the output; an existing file is then untouched.
@@ -138,6 +139,9 @@ impl Unfinished {
             _lock,
         } = self;
         let attempt = || {
+            if let Ok(replaced) = fs::metadata(&target) {
+                fs::set_permissions(&data, replaced.permissions())?;
+            }
             File::open(&data)?.sync_all()?;
             data.persist(&target).map_err(|e| e.error)?;
             sync_folder(&target)

@@ -4,9 +4,9 @@
 //! source with cmake from `$CMAKE`, from the path, or from PyPI, and with ninja from there where
 //! there is no make.
 
-use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 use crate::{python, workspace};
 
@@ -35,6 +35,7 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
         && !names("--workspace")
         && !args.iter().any(|arg| arg.contains(TABULATE));
     if !others && !system_library() {
+        forget_moved_builds(&workspace::target()?)?;
         command.args(["--features", FEATURE]).env("CMAKE", cmake()?);
         if env::var_os(TOOLCHAIN).is_none() {
             command.env(TOOLCHAIN, workspace::root().join(SETTINGS));
@@ -52,6 +53,28 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     }
     command.args(rest);
     Ok(command)
+}
+
+/// Removes what cmake has configured in a folder of another name, where the target directory was moved or copied: cmake
+/// refuses to go on with it.
+fn forget_moved_builds(target: &Path) -> Result<(), String> {
+    let folders = |folder: &Path| {
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        entries.map(|entry| entry.path())
+    };
+    let packages = folders(target).flat_map(|profile| folders(&profile.join("build")));
+    for build in packages.map(|package| package.join("out/build")) {
+        let Ok(cache) = fs::read_to_string(build.join("CMakeCache.txt")) else {
+            continue;
+        };
+        let own = build.display().to_string();
+        // Once cmake has refused, only some of the lines name the old folder.
+        let mut names = cache.lines().filter(|line| line.contains("out/build"));
+        if names.any(|line| !line.contains(&own)) {
+            workspace::clear(&build)?;
+        }
+    }
+    Ok(())
 }
 
 fn system_library() -> bool {
@@ -91,4 +114,27 @@ fn cmake_version(cmake: &Path) -> Option<(u32, u32)> {
 pub fn runs(command: &mut Command) -> bool {
     let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
     silent.status().is_ok_and(|status| status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cmake_configured_under_another_name_of_the_folder_is_removed() {
+        let target = env::temp_dir().join(format!("moved-{}", std::process::id()));
+        let build = |name: &str| target.join(format!("release/build/{name}/out/build"));
+        let configured = |name: &str, folder: &Path| {
+            fs::create_dir_all(build(name)).expect("a new folder");
+            let text = format!("X:INTERNAL=1\nOUTPUT:PATH={}/bin\n", folder.display());
+            fs::write(build(name).join("CMakeCache.txt"), text).expect("a new file");
+        };
+        configured("moved", Path::new("/another/release/build/moved/out/build"));
+        configured("stayed", &build("stayed"));
+        fs::create_dir_all(build("other")).expect("a new folder");
+        forget_moved_builds(&target).expect("ours");
+        let there = ["moved", "stayed", "other"].map(|name| build(name).exists());
+        fs::remove_dir_all(&target).expect("ours");
+        assert_eq!(there, [false, true, true]);
+    }
 }

@@ -111,7 +111,10 @@ pub fn install(
 fn pip() -> Command {
     let mut pip = Command::new("python3");
     pip.args(["-m", "pip", "--quiet", "--disable-pip-version-check"])
-        .env("PIP_ROOT_USER_ACTION", "ignore");
+        .env("PIP_ROOT_USER_ACTION", "ignore")
+        // A user's settings of these refuse to install into a folder.
+        .env("PIP_USER", "0")
+        .env("PIP_REQUIRE_VIRTUALENV", "0");
     pip
 }
 

@@ -20,11 +20,14 @@ pub fn root() -> PathBuf {
         .to_path_buf()
 }
 
-/// Returns the target directory: `CARGO_TARGET_DIR`, relative to the current folder, or `target`.
+/// Returns the target directory, where cargo has put this program as `release/xtask`. A variable of the environment or
+/// a file of settings names it, or the triple of a compilation target in it.
 pub fn target() -> Result<PathBuf, String> {
-    let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
-    Ok(env::var_os("CARGO_TARGET_DIR")
-        .map_or_else(|| root().join("target"), |dir| current.join(dir)))
+    let program = env::current_exe().map_err(|e| format!("no path of this program: {e}"))?;
+    let target = program.ancestors().nth(2);
+    let target =
+        target.ok_or_else(|| format!("{} is in no target directory", program.display()))?;
+    Ok(target.to_owned())
 }
 
 /// Returns the text of a file.

@@ -1,5 +1,8 @@
 //! The next step of a user of the program after an error of a library, which knows no commands.
 
+use std::env;
+use std::io;
+
 #[cfg(feature = "figures")]
 use ::fit::Undetermined;
 use interp::{Error, Parameter};
@@ -11,6 +14,17 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
 
 /// Returns the commands that help after one cause of an error.
 fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
+    let of_system = cause.downcast_ref::<io::Error>();
+    #[cfg(feature = "figures")]
+    let of_system = match cause.downcast_ref() {
+        Some(::fit::data::DataError { of_system, .. }) => of_system.as_ref(),
+        None => of_system,
+    };
+    if of_system.is_some_and(|error| error.kind() == io::ErrorKind::NotFound)
+        && env::args_os().any(|word| word == "-")
+    {
+        return Some("standard input is /dev/stdin");
+    }
     #[cfg(feature = "figures")]
     if let Some(::fit::Error::Start { cause, .. }) = cause.downcast_ref() {
         return of_cause(cause.as_ref());

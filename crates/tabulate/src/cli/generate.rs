@@ -1,8 +1,6 @@
 //! `tabulate generate`
 
 use std::path::{Path, PathBuf};
-#[cfg(unix)]
-use std::process::exit;
 use std::sync::Arc;
 #[cfg(unix)]
 use std::thread;
@@ -154,20 +152,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The exit status of a process that Ctrl-C ends, as shells report it.
-#[cfg(unix)]
-const INTERRUPTED: i32 = 130;
-
-/// Lets Ctrl-C end the process at once, with a word on what is kept. The file of the pieces is whole
-/// at any moment.
+/// Lets Ctrl-C, and a request to end as schedulers of jobs send it, end the process at once, with a word on what is
+/// kept. The file of the pieces is whole at any moment. The process ends by the signal: after an exit status, a
+/// script that Ctrl-C interrupts would go on with its next command. What was started to ignore a signal, as scripts
+/// start what runs in the background, goes on.
 #[cfg(unix)]
 fn tell_what_an_interruption_leaves(bars: &Arc<Bars>, journal: &Path) -> anyhow::Result<()> {
-    use signal_hook::{consts::SIGINT, iterator::Signals};
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    use signal_hook::{iterator::Signals, low_level::emulate_default_handler};
 
+    let ignored = status("SigIgn:").and_then(|text| u64::from_str_radix(&text, 16).ok());
+    let is_heard = |signal: &i32| ignored.is_none_or(|ignored| ignored >> (signal - 1) & 1 == 0);
     let (bars, journal) = (bars.clone(), journal.to_owned());
-    let mut signals = Signals::new([SIGINT]).context("cannot listen to Ctrl-C")?;
-    thread::spawn(move || {
-        signals.forever().next();
+    let mut signals = Signals::new([SIGINT, SIGTERM].iter().filter(|signal| is_heard(signal)))
+        .context("cannot listen to Ctrl-C")?;
+    let say = move || {
+        let signal = signals.forever().next();
         bars.clear();
         let [kept, points] = bars.kept_points();
         if kept > 0 && journal.exists() {
@@ -179,8 +179,10 @@ fn tell_what_an_interruption_leaves(bars: &Arc<Bars>, journal: &Path) -> anyhow:
         } else {
             note("interrupted; nothing was finished that could be kept");
         }
-        exit(INTERRUPTED);
-    });
+        let _ = emulate_default_handler(signal.unwrap_or(SIGINT));
+    };
+    let started = thread::Builder::new().spawn(say);
+    started.context("cannot start the thread that listens to Ctrl-C")?;
     Ok(())
 }
 
@@ -266,11 +268,14 @@ pub fn budget(seconds: f64) -> anyhow::Result<Duration> {
 /// Returns the largest memory that this process has held; none where the system does not tell it
 /// (anywhere but Linux).
 fn peak_memory() -> Option<u64> {
+    let kilobytes = status("VmHWM:")?;
+    Some(1024 * kilobytes.strip_suffix(" kB")?.parse::<u64>().ok()?)
+}
+
+/// Returns what Linux tells of this process under a heading.
+fn status(heading: &str) -> Option<String> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let kilobytes = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?
-        .trim()
-        .strip_suffix(" kB")?;
-    Some(1024 * kilobytes.parse::<u64>().ok()?)
+    let mut lines = status.lines();
+    let told = lines.find_map(|line| line.strip_prefix(heading))?;
+    Some(told.trim().to_owned())
 }

@@ -1,5 +1,6 @@
 //! A table that is generated to be measured.
 
+use std::io;
 use std::time::Instant;
 
 use interp::Table;
@@ -31,7 +32,9 @@ impl Made {
     ) -> Result<Self, Error> {
         let unwritable = |source| Error::Write {
             path: std::env::temp_dir(),
-            source,
+            source: io::Error::other(format!(
+                "{source}; set the environment variable TMPDIR to another folder"
+            )),
         };
         let folder = tempfile::tempdir().map_err(unwritable)?;
         let path = folder.path().join("table.h5");

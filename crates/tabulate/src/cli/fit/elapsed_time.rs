@@ -16,7 +16,8 @@ pub fn elapsed_time() -> ProgressBar {
         .with_style(style.expect("the template is valid"))
         .with_finish(ProgressFinish::AndClear);
     let later = shown.downgrade();
-    thread::spawn(move || {
+    // Without a thread the fit goes on, and shows no time.
+    let _ = thread::Builder::new().spawn(move || {
         thread::sleep(WAITS);
         if let Some(shown) = later.upgrade() {
             shown.enable_steady_tick(Duration::from_secs(1));
