@@ -99,9 +99,13 @@ pub fn doubts<'a>(found: &'a Fit, expected: &[WarningKind]) -> Vec<&'a Warning> 
         .collect()
 }
 
-/// What is said of sound data on soft bodies: that a film is taken as bonded, and which surface tension would matter.
-pub const OF_SOFT_FILMS: [WarningKind; 2] =
-    [WarningKind::AssumesBonding, WarningKind::SurfaceTension];
+/// What is said of sound data on soft bodies: that a film is taken as bonded, which surface tension would matter, and that a
+/// solvent may flow.
+pub const OF_SOFT_FILMS: [WarningKind; 3] = [
+    WarningKind::AssumesBonding,
+    WarningKind::SurfaceTension,
+    WarningKind::OneSize,
+];
 
 /// Asserts that a fit has no warnings but those of the `expected` kinds and of [`OF_SOFT_FILMS`].
 #[track_caller]

@@ -111,6 +111,27 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_doubted() {
     }
 }
 
+/// Flow of a solvent tells itself by other times under another sphere; its contacts grow with the root of the radius.
+#[test]
+fn a_gel_under_spheres_of_one_size_may_relax_by_flow() {
+    for (young, radii, is_doubted) in [
+        (2e3, &[2e-5][..], true),
+        (2e3, &[2e-5, 3e-5], true),
+        (2e3, &[2e-5, 6e-5], false),
+        (2e6, &[2e-5], false),
+    ] {
+        let under = |&radius: &f64| {
+            let mut data = relaxing(power(), young, f64::INFINITY);
+            data.bodies.probe = Probe::Paraboloid { radius };
+            noisy(&data, 1)
+        };
+        let data: Vec<Experiment> = radii.iter().map(under).collect();
+        let found = fit_all(&data, &free_of(&[FilmModulus])).expect("sound");
+        let doubted = found.warns_of(WarningKind::OneSize);
+        assert_eq!(doubted, is_doubted, "{young:e} {radii:?}");
+    }
+}
+
 #[test]
 fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
     for seed in 0..10 {

@@ -5,7 +5,7 @@ use contact::LawParameter;
 use super::minima::minimum::Minimum;
 use super::problem::Problem;
 use super::start::relaxing_start::accept_zeros;
-use crate::statistics::range;
+use crate::statistics::{extremes, range};
 use crate::{Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
@@ -23,6 +23,12 @@ const SEEN: f64 = 0.1;
 const FAR_SHORT: f64 = 5.0;
 /// The change of an abscissa over their range above which it is no noise.
 const MONOTONE: f64 = 0.01;
+
+/// Young's modulus (Pa) above which a body that relaxes is no gel.
+const STIFFEST_GEL: f64 = 1e6;
+/// The ratio of the widest contacts of two experiments from which on their times tell flow of a solvent, which grow with the
+/// square of it.
+const OTHER_SIZE: f64 = 1.5;
 
 /// Returns what the relaxation of an experiment does; `None` where the bodies do not relax.
 pub(super) fn of(found: &Minimum<'_>, e: usize) -> Result<Option<FittedRelaxation>, Error> {
@@ -150,4 +156,24 @@ pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>,
             1e2 * found.made_monotone / range
         )));
     }
+}
+
+/// Warns of gels whose relaxation is that of contacts of one size: flow of a solvent is not told from it.
+pub(super) fn of_one_size(problem: &Problem<'_>) -> Option<Warning> {
+    let is_gel = |e: &usize| {
+        let experiment = &problem.assigned[*e].experiment;
+        experiment.relaxing.is_some() && experiment.bodies.film().young() < STIFFEST_GEL
+    };
+    let gels = (0..problem.assigned.len()).filter(is_gel);
+    let widest: Vec<f64> = gels
+        .map(|e| problem.contact_radii(e).map(|[_, widest]| widest))
+        .collect::<Option<_>>()?;
+    let [least, most] = extremes(widest.into_iter());
+    (least <= most && most < OTHER_SIZE * least).then(|| {
+        WarningKind::OneSize.with(format!(
+            "the widest contact has a radius of {most:.1e} m: a gel also relaxes by flow of its solvent, in times that grow with the \
+             square of this radius, or of the thickness of a thin film, and then the law holds for this size alone; measure \
+             with another sphere or to another depth, and fit both with one law"
+        ))
+    })
 }

@@ -435,6 +435,8 @@ named! {
         RelaxationTime = "relaxation-time",
         /// A free thickness beside a free modulus of a film that relaxes.
         FreeThickness = "free-thickness",
+        /// A gel whose relaxation is that of contacts of one size, and may be flow of its solvent.
+        OneSize = "one-size",
         /// Bodies that deform and do not relax.
         UnlikeBodies = "unlike-bodies",
         /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
@@ -460,6 +462,7 @@ impl WarningKind {
             Self::AssumesBonding
                 | Self::LargeContact
                 | Self::SurfaceTension
+                | Self::OneSize
                 | Self::LargeStrain
                 | Self::Bending
                 | Self::NoDisc

@@ -105,6 +105,7 @@ pub(crate) fn warnings(
         let may_be_zero = at_zero.contains(&i);
         open_ends(&mut warnings, problem, (i, &names[i]), ends, may_be_zero);
     }
+    warnings.extend(relaxing::of_one_size(problem));
     // What the data say comes before what the model leaves out in all data.
     warnings.sort_by_key(|one| one.kind.is_of_model());
     warnings
