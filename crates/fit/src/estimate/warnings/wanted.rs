@@ -17,7 +17,7 @@ use crate::{Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
-const LEFT: f64 = 1e-3;
+pub(super) const LEFT: f64 = 1e-3;
 /// A zero of an instrument is named already from this number of its standard errors on, if it would mislead: the values
 /// found may be so correlated with it that chi^2 does not tell. For each zero, chance reaches it in one fit of 2000.
 const HINT: f64 = 3.5;
@@ -407,7 +407,7 @@ impl<'a> Score<'a> {
 
     /// Returns the derivatives of the residuals of experiment `e` with respect to the compliance of a spring in series with the
     /// contact, which moves the contact point in proportion to the load.
-    fn spring_column(&self, e: usize) -> Option<DVector<f64>> {
+    pub fn spring_column(&self, e: usize) -> Option<DVector<f64>> {
         let own = &self.problem.assigned[e];
         let experiment = &own.experiment;
         let mut column = column(self.problem, e, Parameter::ContactPoint, |_| true)?;
@@ -419,19 +419,6 @@ impl<'a> Score<'a> {
             column[row] *= experiment.sense() * load;
         }
         Some(column)
-    }
-
-    /// Returns the decrease of the sum of squares by one spring in series with the contacts of all files; 0 where they are not
-    /// against positions.
-    pub fn gain_of_one_spring(&self) -> f64 {
-        let mut sum = DVector::zeros(self.residuals.len());
-        for e in 0..self.problem.assigned.len() {
-            let Some(column) = self.spring_column(e) else {
-                return 0.0;
-            };
-            sum += column;
-        }
-        self.gain(&sum).map_or(0.0, |gain| gain.chi_squared)
     }
 
     /// Warns if approach and retract, or loading and unloading in time, differ.
