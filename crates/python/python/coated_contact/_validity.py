@@ -49,9 +49,9 @@ class Validity(OneLine):
     surface_tension : float or numpy.ndarray
         The surface tension (N/m) that would raise the load of the contact without adhesion at its
         penetration by a tenth, to the first order; the model has none. On a half-space it is
-        ``0.1 pi Es* a/6``. Soft gels and elastomers in air have 0.02 to 0.07 N/m, the cortex of a
-        cell 1e-4 to 1e-3 N/m; a film under a residual stress carries this stress times its
-        thickness. Infinite under a flat punch.
+        ``0.1 pi Es* a/6``, and under a flat punch some ``0.03 Es* a``. Soft gels and elastomers in
+        air have 0.02 to 0.07 N/m, the cortex of a cell 1e-4 to 1e-3 N/m; a film under a residual
+        stress carries this stress times its thickness.
     a_over_t : float, numpy.ndarray or None
         Contact radius over film thickness, the degree of confinement; None on a half-space.
     compressibility : float, numpy.ndarray or None
