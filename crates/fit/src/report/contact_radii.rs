@@ -9,17 +9,29 @@ use crate::{Experiment, Fit, FittedExperiment, LayerQuantity, Parameter};
 pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
     let line = |(fitted, experiment): (&FittedExperiment, &Experiment)| {
         let [least, most] = radii(fitted)?.map(|radius| three_digits(radius, "m"));
-        let over_thickness = match a_over_t(fit, fitted, experiment) {
-            Some([least, most]) => format!(", over the thickness from {least:.3} to {most:.3}"),
+        let beside_film = match a_over_t(fit, fitted, experiment) {
+            Some(ends) => {
+                let [least, most] = ends.map(over_thickness);
+                format!(", over the thickness from {least} to {most}")
+            }
             None => String::new(),
         };
         let name = &fitted.name;
         Some(format!(
-            "{name}: contact radii from {least} to {most}{over_thickness}"
+            "{name}: contact radii from {least} to {most}{beside_film}"
         ))
     };
     let all = fit.experiments.iter().zip(experiments);
     all.filter_map(line).collect()
+}
+
+/// Writes a contact radius over a thickness, of which three decimals may show nothing.
+fn over_thickness(ratio: f64) -> String {
+    if ratio < 0.01 {
+        format!("{ratio:.2e}")
+    } else {
+        format!("{ratio:.3}")
+    }
 }
 
 /// Returns the smallest and the largest contact radius of the points of an experiment over the
