@@ -141,8 +141,8 @@ fn cone_of_pyramid(face: f64) -> String {
     const WIDER: f64 = 1.171;
     let cone = (WIDER * face.to_radians().tan()).atan().to_degrees();
     format!(
-        "a pyramid is taken for a cone: --probe cone --half-angle {cone:.2} for four faces that make {face} degrees with the axis, \
-         and --probe cone --half-angle 70.3 for a Berkovich or Vickers indenter"
+        "a pyramid is taken for a cone: --probe cone --half-angle {cone:.2} for four faces that make {face} degrees with the axis (the same load), \
+         and --probe cone --half-angle 70.3 for a Berkovich or Vickers indenter (the same area at a depth)"
     )
 }
 
