@@ -76,3 +76,16 @@ fn a_spring_below_contacts_of_several_depths_is_told() {
         assert!(!said.contains("do not have one"), "{said}");
     }
 }
+
+/// Each of eight files alone hardly tells the spring, and all of them tell it.
+#[test]
+fn a_spring_that_files_tell_together_is_told() {
+    for seed in 0..10 {
+        let files = (0..8_u32).zip(8 * seed..).map(|(i, seed)| {
+            let deepest = 2e-7 + 6e-7 * f64::from(i) / 7.0;
+            pressed(1.3e4, deepest, 0.3, seed)
+        });
+        let found = fitted(&files.collect::<Vec<Experiment>>());
+        assert_warns(&found, WarningKind::SpringWanted, "spring");
+    }
+}
