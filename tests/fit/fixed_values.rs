@@ -29,6 +29,7 @@ fn names_are_read_as_they_are_written() {
         ("beta", "beta"),
         ("contact-radius", "contact_radius"),
         ("contact-radius-zero", "contact_radius_zero"),
+        ("position-drift", "position_drift"),
         ("load", "load"),
         ("film-thickness", "film_thickness"),
         ("work-of-adhesion", "work_of_adhesion"),
@@ -102,6 +103,13 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
                     let points = changed.measurement.points.iter_mut();
                     points.for_each(|point| point.abscissa -= value);
                 }
+                Fixed::PositionDrift => {
+                    let begin = changed.times[0];
+                    let points = changed.measurement.points.iter_mut();
+                    for (point, time) in points.zip(&changed.times) {
+                        point.abscissa -= value * (time - begin);
+                    }
+                }
                 quantity => changed.set_fixed(quantity, value).expect("physical"),
             }
             let found = found(&changed, free, |options| options.loss = loss);
@@ -154,6 +162,18 @@ fn changes_are_those_of_fits_with_other_values() {
     let mut experiment = experiment;
     experiment.from_deflection = true;
     assert_as_refits("deflection", &experiment, &probe.free, Loss::Squares, names);
+    // With times the heights may drift.
+    experiment.times = (0..experiment.measurement.points.len())
+        .map(|i| 0.01 * i as f64)
+        .collect();
+    let names = names.replace(
+        "stiffness height",
+        "baseline stiffness position-drift height",
+    );
+    experiment.contact_point = probe.truth.contact_point;
+    experiment.baseline = probe.truth.baseline;
+    let free = free_of(&[Parameter::FilmModulus]);
+    assert_as_refits("drift", &experiment, &free, Loss::Squares, &names);
     // The factor of a contact stiffness.
     let stiffness = noisy(&at_radii(&oxide(), [5e-8, 1.5e-6], 30), 0.01, 1);
     let free = free_of(&[Parameter::FilmModulus]);
