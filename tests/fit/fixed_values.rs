@@ -20,38 +20,6 @@ const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 const POISSON: Fixed = Fixed::Parameter(Parameter::FilmPoissonRatio);
 const RADII: Fixed = Fixed::Scale(Scale::ContactRadius);
 
-/// Every name that a message or a result shows is one that `--known` and `Known` take. Identifiers keep the names of layers.
-#[test]
-fn names_are_read_as_they_are_written() {
-    for (name, identifier) in [
-        ("sphere-radius", "sphere_radius"),
-        ("half-angle", "half_angle"),
-        ("beta", "beta"),
-        ("contact-radius", "contact_radius"),
-        ("contact-radius-zero", "contact_radius_zero"),
-        ("position-drift", "position_drift"),
-        ("load", "load"),
-        ("film-thickness", "film_thickness"),
-        ("work-of-adhesion", "work_of_adhesion"),
-        ("substrate-poisson-ratio", "substrate_poisson_ratio"),
-        ("relaxation-time", "relaxation_time"),
-        ("relaxation-time.2", "relaxation_time.2"),
-        ("relaxation-weight.2", "relaxation_weight.2"),
-        ("layer-2.modulus", "layer_2.modulus"),
-        ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
-        ("top-coat.modulus", "top-coat.modulus"),
-        (
-            "top_coat.interface-stiffness",
-            "top_coat.interface_stiffness",
-        ),
-        ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
-    ] {
-        let read = Fixed::parse(name).expect("a name");
-        assert_eq!((&*read.name(), &*read.identifier()), (name, identifier));
-    }
-    assert_eq!(Fixed::parse("oxide.colour"), None);
-}
-
 fn found(experiment: &Experiment, free: &[Free], change: impl FnOnce(&mut Options)) -> Fit {
     fit_with(experiment, free, change).expect("sound")
 }
