@@ -103,7 +103,8 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         1 | {known} load=+-2 | known load; at most 1; 0.02 is 2 %
         1 | {known} load=1.02+-1% | load of data.csv = 1.02; left out: it is 1
         1 | {known} contact-radius-zero=+-1% | contact-radius-zero in m
-        1 | {known} contact-radius-zero=1um+-1um | left out: it is 0; subtract it
+        1 | {known} contact-radius-zero=1um+-1um | left out: it is 0; take it off the readings
+        1 | {known} position-drift=+-1nm/s | known position-drift; not given; penetrations or heights that have times
         1 | {known} contact-radius-zero=+-1mm | known contact-radius-zero; 0.001; at most the largest contact radius
         2 | {known} load=+-1uN | is a force; a number without a unit
         2 | {known} half-angle=+-2 | \"2\"; is an angle without a unit; 2deg

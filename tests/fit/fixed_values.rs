@@ -20,37 +20,6 @@ const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 const POISSON: Fixed = Fixed::Parameter(Parameter::FilmPoissonRatio);
 const RADII: Fixed = Fixed::Scale(Scale::ContactRadius);
 
-/// Every name that a message or a result shows is one that `--known` and `Known` take. Identifiers keep the names of layers.
-#[test]
-fn names_are_read_as_they_are_written() {
-    for (name, identifier) in [
-        ("sphere-radius", "sphere_radius"),
-        ("half-angle", "half_angle"),
-        ("beta", "beta"),
-        ("contact-radius", "contact_radius"),
-        ("contact-radius-zero", "contact_radius_zero"),
-        ("load", "load"),
-        ("film-thickness", "film_thickness"),
-        ("work-of-adhesion", "work_of_adhesion"),
-        ("substrate-poisson-ratio", "substrate_poisson_ratio"),
-        ("relaxation-time", "relaxation_time"),
-        ("relaxation-time.2", "relaxation_time.2"),
-        ("relaxation-weight.2", "relaxation_weight.2"),
-        ("layer-2.modulus", "layer_2.modulus"),
-        ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
-        ("top-coat.modulus", "top-coat.modulus"),
-        (
-            "top_coat.interface-stiffness",
-            "top_coat.interface_stiffness",
-        ),
-        ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
-    ] {
-        let read = Fixed::parse(name).expect("a name");
-        assert_eq!((&*read.name(), &*read.identifier()), (name, identifier));
-    }
-    assert_eq!(Fixed::parse("oxide.colour"), None);
-}
-
 fn found(experiment: &Experiment, free: &[Free], change: impl FnOnce(&mut Options)) -> Fit {
     fit_with(experiment, free, change).expect("sound")
 }
@@ -101,6 +70,13 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
                 Fixed::ContactRadiusZero => {
                     let points = changed.measurement.points.iter_mut();
                     points.for_each(|point| point.abscissa -= value);
+                }
+                Fixed::PositionDrift => {
+                    let begin = changed.times[0];
+                    let points = changed.measurement.points.iter_mut();
+                    for (point, time) in points.zip(&changed.times) {
+                        point.abscissa -= value * (time - begin);
+                    }
                 }
                 quantity => changed.set_fixed(quantity, value).expect("physical"),
             }
@@ -154,6 +130,18 @@ fn changes_are_those_of_fits_with_other_values() {
     let mut experiment = experiment;
     experiment.from_deflection = true;
     assert_as_refits("deflection", &experiment, &probe.free, Loss::Squares, names);
+    // With times the heights may drift.
+    experiment.times = (0..experiment.measurement.points.len())
+        .map(|i| 0.01 * i as f64)
+        .collect();
+    let names = names.replace(
+        "stiffness height",
+        "baseline stiffness position-drift height",
+    );
+    experiment.contact_point = probe.truth.contact_point;
+    experiment.baseline = probe.truth.baseline;
+    let free = free_of(&[Parameter::FilmModulus]);
+    assert_as_refits("drift", &experiment, &free, Loss::Squares, &names);
     // The factor of a contact stiffness.
     let stiffness = noisy(&at_radii(&oxide(), [5e-8, 1.5e-6], 30), 0.01, 1);
     let free = free_of(&[Parameter::FilmModulus]);

@@ -16,7 +16,6 @@ use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
 use super::result::each_once;
 use crate::model::contacts_of;
-use crate::statistics::extremes;
 use crate::{Error, Experiment, Fit, Fixed, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
@@ -36,8 +35,8 @@ pub struct FixedValue {
     pub value: f64,
     /// The numbers of all measurements that have one, in their order, if they differ; else empty.
     pub values: Vec<f64>,
-    /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading, and of the zero of
-    /// contact radii 1 % of the largest. Where the
+    /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading, of the zero of contact
+    /// radii 1 % of the largest, and of a drift what moves positions by 1 % of their range. Where the
     /// value is at the end of what is possible, as a Poisson ratio of 0.5, it goes to the other side.
     pub step: f64,
     /// The change of each estimate that follows, in SI units and in their order: to the first order, as
@@ -78,6 +77,7 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
         let Some(first) = finite.or_else(|| values.next()) else {
             let allowed = match quantity {
                 Fixed::Scale(_) | Fixed::ContactRadiusZero => "of a quantity that is read",
+                Fixed::PositionDrift => "of penetrations or heights that have times",
                 _ => "of a value that the measurement has: check its name and the bodies",
             };
             return Err(Error::setting(name, f64::NAN, allowed));
@@ -121,22 +121,28 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             };
             return Err(Error::setting(name, *error, allowed));
         }
-        let largest = largest_radius(experiments);
-        if *quantity == Fixed::ContactRadiusZero && *error > largest {
+        if let Some(largest) = largest_move(experiments, *quantity)
+            && *error > largest
+        {
             let name = format!("the standard error of {name}");
-            let allowed =
-                format!("at most the largest contact radius, {largest:?} m: check its unit");
+            let (read, unit) = match quantity {
+                Fixed::ContactRadiusZero => ("the largest contact radius", "m"),
+                _ => ("the range of the positions over the duration", "m/s"),
+            };
+            let allowed = format!("at most {read}, {largest:?} {unit}: check its unit");
             return Err(Error::setting(name, *error, allowed));
         }
     }
     Ok(())
 }
 
-/// Returns the largest contact radius that is read, m.
-fn largest_radius<'e>(experiments: impl Iterator<Item = &'e Experiment>) -> f64 {
-    let at_radii = experiments.filter(|one| one.value_of(Fixed::ContactRadiusZero).is_some());
-    let points = at_radii.flat_map(|one| &one.measurement.points);
-    extremes(points.map(|point| point.abscissa))[1]
+/// Returns the largest [`Experiment::largest_move`].
+fn largest_move<'e>(
+    experiments: impl Iterator<Item = &'e Experiment>,
+    quantity: Fixed,
+) -> Option<f64> {
+    let moves = experiments.filter_map(|one| one.largest_move(quantity));
+    moves.reduce(f64::max)
 }
 
 /// Refuses a known error of a value that cannot vary: it would make the standard errors NaN.
@@ -185,8 +191,8 @@ pub(super) fn effects(
             _ if quantity.is_poisson_ratio() => STEP,
             _ if is_relative => STEP * value.abs(),
             Some(error) => error,
-            None if quantity == Fixed::ContactRadiusZero => {
-                STEP * largest_radius(problem.experiments())
+            None if quantity.moves_readings() => {
+                STEP * largest_move(problem.experiments(), quantity)?
             }
             // A zero is known to some noise of the readings whose zero it is.
             None => {

@@ -417,8 +417,8 @@ named! {
         /// A modulus that takes a film as bonded, and would be another one by more than its standard
         /// error if the film slid.
         AssumesBonding = "assumes-bonding",
-        /// A value that changes by more than a tenth with 1 % of a value taken as given or of a calibration, or with a zero of the
-        /// contact radii of 1 % of the largest.
+        /// A value that changes by more than a tenth with 1 % of a value taken as given or of a calibration, or with
+        /// readings that move by 1 % of the largest.
         Calibration = "calibration",
         /// The fit was stopped by the end of the table.
         EndOfTable = "end-of-table",

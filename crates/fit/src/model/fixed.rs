@@ -25,6 +25,8 @@ pub enum Fixed {
     /// The reading at which the contact radius is 0, which is 0 m: by this length all radii are read too large, as by a
     /// threshold in a picture.
     ContactRadiusZero,
+    /// The speed, 0 m/s, with which readings of penetrations or heights drift that have times.
+    PositionDrift,
     /// Young's modulus of the substrate, or of the base of a stack, Pa.
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
@@ -57,6 +59,7 @@ impl Fixed {
             Self::Parameter(parameter) => parameter.dimension(),
             Self::SphereRadius | Self::ContactRadiusZero => Some(Dimension::Length),
             Self::HalfAngle => Some(Dimension::Angle),
+            Self::PositionDrift => Some(Dimension::Speed),
             Self::SubstrateModulus | Self::ReferenceModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
             Self::Beta
@@ -77,6 +80,7 @@ impl Fixed {
             Self::Beta => "beta".into(),
             Self::Scale(scale) => scale.name().into(),
             Self::ContactRadiusZero => "contact-radius-zero".into(),
+            Self::PositionDrift => "position-drift".into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
             Self::ReferenceModulus => "reference-modulus".into(),
@@ -103,6 +107,7 @@ impl Fixed {
             Self::HalfAngle,
             Self::Beta,
             Self::ContactRadiusZero,
+            Self::PositionDrift,
             Self::SubstrateModulus,
             Self::SubstratePoissonRatio,
             Self::ReferenceModulus,
@@ -140,9 +145,13 @@ impl Fixed {
     pub const fn errs_in_proportion(self) -> bool {
         match self {
             Self::Parameter(parameter) => parameter.is_positive(),
-            Self::ContactRadiusZero => false,
-            _ => !self.is_poisson_ratio(),
+            _ => !self.is_poisson_ratio() && !self.moves_readings(),
         }
+    }
+
+    /// Tells whether it is a zero or a drift of what is read as abscissa, which no parameter is.
+    pub(crate) const fn moves_readings(self) -> bool {
+        matches!(self, Self::ContactRadiusZero | Self::PositionDrift)
     }
 
     pub(crate) const fn is_poisson_ratio(self) -> bool {
@@ -202,7 +211,8 @@ impl Experiment {
                         && self.why_without_effect(*parameter).is_none()
                 }
                 Fixed::SphereRadius | Fixed::HalfAngle => self.has_shape(false),
-                Fixed::Beta | Fixed::ContactRadiusZero | Fixed::Scale(_) => true,
+                Fixed::Beta | Fixed::Scale(_) => true,
+                one if one.moves_readings() => true,
                 _ => !in_table,
             };
             let is_usual = |value: f64| !one.errs_in_proportion() || value > 0.0;
@@ -213,7 +223,7 @@ impl Experiment {
         };
         let mut all = self.quantities();
         all.insert(1, Fixed::HalfAngle);
-        all.push(Fixed::ContactRadiusZero);
+        all.extend([Fixed::ContactRadiusZero, Fixed::PositionDrift]);
         all.extend(Scale::ALL.map(Fixed::Scale));
         all.retain(matters);
         all
@@ -259,7 +269,7 @@ impl Experiment {
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
             Fixed::Scale(scale) => self.is_read(scale).then_some(1.0),
-            Fixed::ContactRadiusZero => self.is_read(Scale::ContactRadius).then_some(0.0),
+            Fixed::ContactRadiusZero | Fixed::PositionDrift => self.largest_move(one).map(|_| 0.0),
             Fixed::ReferenceModulus => reference.map(|solid| solid.young()),
             Fixed::ReferencePoissonRatio => reference.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
@@ -283,8 +293,8 @@ impl Experiment {
             (Fixed::Scale(_), _) => {
                 return wrong("left out: it is 1; multiply readings that are off in the data");
             }
-            (Fixed::ContactRadiusZero, _) => {
-                return wrong("left out: it is 0; subtract it from the contact radii in the data");
+            (one, _) if one.moves_readings() => {
+                return wrong("left out: it is 0; take it off the readings in the data");
             }
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
@@ -321,6 +331,7 @@ impl Experiment {
             Fixed::Beta => self.indentation.beta = value,
             Fixed::Scale(scale) => self.multiply_readings(scale, value),
             Fixed::ContactRadiusZero => self.move_radii(-value),
+            Fixed::PositionDrift => self.move_positions(-value),
             Fixed::SphereRadius => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
@@ -362,5 +373,42 @@ impl Experiment {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every name that a message or a result shows is one that `--known` and `Known` take. Identifiers keep the names of layers.
+    #[test]
+    fn names_are_read_as_they_are_written() {
+        for (name, identifier) in [
+            ("sphere-radius", "sphere_radius"),
+            ("half-angle", "half_angle"),
+            ("beta", "beta"),
+            ("contact-radius", "contact_radius"),
+            ("contact-radius-zero", "contact_radius_zero"),
+            ("position-drift", "position_drift"),
+            ("load", "load"),
+            ("film-thickness", "film_thickness"),
+            ("work-of-adhesion", "work_of_adhesion"),
+            ("substrate-poisson-ratio", "substrate_poisson_ratio"),
+            ("relaxation-time", "relaxation_time"),
+            ("relaxation-time.2", "relaxation_time.2"),
+            ("relaxation-weight.2", "relaxation_weight.2"),
+            ("layer-2.modulus", "layer_2.modulus"),
+            ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
+            ("top-coat.modulus", "top-coat.modulus"),
+            (
+                "top_coat.interface-stiffness",
+                "top_coat.interface_stiffness",
+            ),
+            ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
+        ] {
+            let read = Fixed::parse(name).expect("a name");
+            assert_eq!((&*read.name(), &*read.identifier()), (name, identifier));
+        }
+        assert_eq!(Fixed::parse("oxide.colour"), None);
     }
 }

@@ -1,6 +1,7 @@
 //! The readings of an instrument, and their calibration.
 
-use super::{Experiment, Kind};
+use super::{Experiment, Fixed, Kind};
+use crate::statistics::{extremes, range};
 
 named! {
     /// A quantity that an instrument reads. Where its calibration is off, all readings err by one factor, from their zero.
@@ -70,6 +71,34 @@ impl Experiment {
             self.line_speeds
                 .iter_mut()
                 .for_each(|line| line.speed *= factor);
+        }
+    }
+
+    /// Returns the move of the readings that is as large as what is read: the largest contact radius (m) of a zero of contact
+    /// radii, and of a drift the range of the penetrations or heights over the duration (m/s); `None` where there is none.
+    pub(crate) fn largest_move(&self, one: Fixed) -> Option<f64> {
+        let points = &self.measurement.points;
+        let abscissae = points.iter().map(|point| point.abscissa);
+        let [abscissa, _] = self.measurement.kind.scales();
+        let size = match (one, abscissa) {
+            (Fixed::ContactRadiusZero, Scale::ContactRadius) => extremes(abscissae)[1],
+            (Fixed::PositionDrift, Scale::Penetration | Scale::Height)
+                if self.times.len() == points.len() =>
+            {
+                range(abscissae) / range(self.times.iter().copied())
+            }
+            _ => return None,
+        };
+        (size > 0.0 && size.is_finite()).then_some(size)
+    }
+
+    /// Moves penetrations or heights by a speed (m/s) times the time since the first point.
+    pub(super) fn move_positions(&mut self, speed: f64) {
+        let Some(&begin) = self.times.first() else {
+            return;
+        };
+        for (point, time) in self.measurement.points.iter_mut().zip(&self.times) {
+            point.abscissa += speed * (time - begin);
         }
     }
 

@@ -74,7 +74,8 @@ def fit(
         ``substrate_modulus`` and ``substrate_poisson_ratio``, and ``beta`` of a contact
         stiffness. ``{"load": 0.02}`` is a calibration by which all loads err together, by 2 %;
         ``contact_radius``, ``penetration``, ``height`` and ``contact_stiffness`` have one, too, and
-        ``contact_radius_zero`` is the length (m) by which a threshold reads all radii too large.
+        ``contact_radius_zero`` is the length (m) by which a threshold reads all radii too large,
+        ``position_drift`` the speed (m/s) of penetrations or heights with times.
         The fit keeps the values, and their errors add to the standard errors and the
         correlation: to the first order, independent of one another. Where experiments have
         different values, the error is that of the first, and the others err in proportion;

@@ -92,6 +92,19 @@ impl Field {
     }
 }
 
+/// The linear system of a punch.
+struct Assembled {
+    /// The weights of the integrals over `z`.
+    weights: Vec<f64>,
+    coulomb: Coulomb,
+    transforms: Transforms,
+    matrix: Mat<f64>,
+    /// The roots of the diagonal of the matrix of a wide contact, whose compliances are integrated with their limits.
+    roots: Option<Vec<f64>>,
+    /// `sin z` and `cos z`, without coupling.
+    waves: [Vec<f64>; 2],
+}
+
 impl<'a> Waves<'a> {
     /// Samples the surface on `panels`.
     ///
@@ -145,12 +158,103 @@ impl<'a> Waves<'a> {
     /// Returns `None` where the matrix is not positive definite, by rounding.
     pub fn field(&self, x: f64, modes: usize, with_answer: bool) -> Option<Field> {
         let rows = self.q.len();
+        let (end, uncoupled) = (x * self.end, self.bodies.eps == 0.0);
+        let [y11, y12, y22] = &self.excess;
+        let Assembled {
+            weights,
+            coulomb,
+            transforms,
+            mut matrix,
+            roots,
+            waves: [sines, cosines],
+        } = self.assembled(x, modes);
+        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
+        factorise(&mut matrix)?;
+
+        let c0 = self.bodies.c0();
+        let mut solutions = Mat::<f64>::zeros(modes, if uncoupled { 3 } else { 1 });
+        solutions[(0, 0)] = c0;
+        if uncoupled {
+            for (n, (scale, sums)) in coulomb.scale.iter().zip(&transforms.sums).enumerate() {
+                solutions[(n, 1)] = 2.0 * scale * sums[3];
+                solutions[(n, 2)] = 2.0 * scale * sums[4];
+            }
+        }
+        solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
+        // Each sum over the modes is one over the products of these columns.
+        let missing_beside = |column: usize| {
+            let pairs = solutions
+                .col_as_slice(0)
+                .iter()
+                .zip(solutions.col_as_slice(column));
+            missing_modes(&pairs.map(|(a, b)| (a * b).abs()).collect::<Vec<f64>>())
+        };
+        let missing = missing_beside(0);
+        let missing_at_edge = if uncoupled {
+            missing_beside(1) + missing_beside(2)
+        } else {
+            0.0
+        };
+        let asked = if with_answer { 2 } else { 1 };
+        let asked = solutions.as_mut().subcols_mut(0, asked);
+        solve_upper_triangular_in_place(matrix.transpose(), asked, Par::Seq);
+
+        let c = solutions.col_as_slice(0);
+        let [p_hat, q_hat] = transforms.fields(&coulomb, c);
+        let eeq = c0 * c[0];
+        let (edge, terms, form) = self.edge(&weights, [&p_hat, &q_hat], (c, eeq), roots.as_deref());
+        if !(eeq > 0.0 && edge > 0.0) {
+            return None;
+        }
+        let mut size = larger(form / eeq, terms / edge);
+        let normal: Vec<f64> = (0..rows)
+            .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
+            .collect();
+        let parts = uncoupled.then(|| {
+            let (mut of_normal, mut of_shear, mut terms) = (0.0, 0.0, 1.0);
+            for k in 0..rows {
+                let shear = y22[k] * q_hat[k] + y12[k] * p_hat[k];
+                of_normal += weights[k] * normal[k] * cosines[k];
+                of_shear += weights[k] * shear * sines[k];
+                terms += weights[k] * (normal[k].abs() + shear.abs());
+            }
+            size += terms / edge.sqrt();
+            [1.0 - of_normal, -of_shear]
+        });
+        // Both ways to the edge must agree, which does not tell an error of the phase.
+        let parts_error = parts.map_or(0.0, |[normal, shear]| {
+            (normal * normal + shear * shear - edge).abs() / edge + missing_at_edge / edge.sqrt()
+        });
+        // Beyond the panels, the coupling at the edge is that of `cos^2 z/z`.
+        let cut = y12[rows - 1].abs() / (2.0 * PI * self.end) * end.powi(2).min(1.0);
+        let answer = with_answer.then(|| {
+            let [p_hat, q_hat] = transforms.fields(&coulomb, solutions.col_as_slice(1));
+            (0..rows)
+                .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
+                .collect()
+        });
+        Some(Field {
+            x,
+            eeq,
+            edge,
+            parts,
+            normal,
+            answer,
+            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge),
+            parts_error,
+            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design + cut,
+            rounding: self.rounding * size,
+        })
+    }
+
+    /// Assembles the linear system of the punch of radius `x` with a number of `modes`.
+    fn assembled(&self, x: f64, modes: usize) -> Assembled {
         let z: Vec<f64> = self.q.iter().map(|q| q * x).collect();
         let weights: Vec<f64> = self.weights.iter().map(|w| w * x).collect();
         let weighted = |factor: &[f64]| -> Vec<f64> {
             factor.iter().zip(&weights).map(|(f, w)| f * w).collect()
         };
-        let coulomb = Coulomb::new(self.bodies.eps, modes, z[rows - 1]);
+        let coulomb = Coulomb::new(self.bodies.eps, modes, z[z.len() - 1]);
         // Of a wide contact, the compliances are integrated with their limits.
         let end = x * self.end;
         let wide = self.bodies.eps == 0.0 && end >= ASYMPTOTIC;
@@ -199,45 +303,30 @@ impl<'a> Waves<'a> {
                 larger(0.0, matrix[(n, n)]).sqrt()
             })
             .collect();
-        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
-        factorise(&mut matrix)?;
-
-        let c0 = self.bodies.c0();
-        let mut solutions = Mat::<f64>::zeros(modes, if uncoupled { 3 } else { 1 });
-        solutions[(0, 0)] = c0;
-        if uncoupled {
-            for (n, (scale, sums)) in coulomb.scale.iter().zip(&transforms.sums).enumerate() {
-                solutions[(n, 1)] = 2.0 * scale * sums[3];
-                solutions[(n, 2)] = 2.0 * scale * sums[4];
-            }
+        Assembled {
+            weights,
+            coulomb,
+            transforms,
+            matrix,
+            roots: wide.then_some(roots),
+            waves: [sines, cosines],
         }
-        solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
-        // Each sum over the modes is one over the products of these columns.
-        let missing_beside = |column: usize| {
-            let pairs = solutions
-                .col_as_slice(0)
-                .iter()
-                .zip(solutions.col_as_slice(column));
-            missing_modes(&pairs.map(|(a, b)| (a * b).abs()).collect::<Vec<f64>>())
-        };
-        let missing = missing_beside(0);
-        let missing_at_edge = if uncoupled {
-            missing_beside(1) + missing_beside(2)
-        } else {
-            0.0
-        };
-        let asked = if with_answer { 2 } else { 1 };
-        let asked = solutions.as_mut().subcols_mut(0, asked);
-        solve_upper_triangular_in_place(matrix.transpose(), asked, Par::Seq);
+    }
 
-        let c = solutions.col_as_slice(0);
-        let [p_hat, q_hat] = transforms.fields(&coulomb, c);
-        let eeq = c0 * c[0];
+    /// Returns `Gamma_eff^2` in units of `es` by the energy form, the sum of the absolute values of its terms, and that of the
+    /// quadratic form of the matrix. `roots` are those of the diagonal of the matrix of a wide contact.
+    fn edge(
+        &self,
+        weights: &[f64],
+        [p_hat, q_hat]: [&[f64]; 2],
+        (c, eeq): (&[f64], f64),
+        roots: Option<&[f64]>,
+    ) -> (f64, f64, f64) {
         // The terms of the quadratic form of the matrix. Of a wide contact all are positive; elsewhere
         // the unit matrix is one of two that may cancel. Those of the slopes are up to three times
         // as large.
-        let [form, of_slopes] = if wide {
-            let sum: f64 = c.iter().zip(&roots).map(|(c, root)| c.abs() * root).sum();
+        let [form, of_slopes] = if let Some(roots) = roots {
+            let sum: f64 = c.iter().zip(roots).map(|(c, root)| c.abs() * root).sum();
             [sum * sum, 3.0 * sum * sum]
         } else {
             let squares: f64 = c.iter().map(|c| c * c).sum();
@@ -245,54 +334,13 @@ impl<'a> Waves<'a> {
         };
         let (mut edge, mut terms) = (eeq, eeq + of_slopes);
         let [s11, s12, s22] = &self.slope;
-        for k in 0..rows {
+        for k in 0..weights.len() {
             let (p, q) = (p_hat[k], q_hat[k]);
             let parts = [s11[k] * p * p, 2.0 * s12[k] * p * q, s22[k] * q * q];
             edge += weights[k] * parts.iter().sum::<f64>();
             terms += weights[k] * parts.iter().map(|part| part.abs()).sum::<f64>();
         }
-        if !(eeq > 0.0 && edge > 0.0) {
-            return None;
-        }
-        let mut size = larger(form / eeq, terms / edge);
-        let normal: Vec<f64> = (0..rows)
-            .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
-            .collect();
-        let parts = uncoupled.then(|| {
-            let (mut of_normal, mut of_shear, mut terms) = (0.0, 0.0, 1.0);
-            for k in 0..rows {
-                let shear = y22[k] * q_hat[k] + y12[k] * p_hat[k];
-                of_normal += weights[k] * normal[k] * cosines[k];
-                of_shear += weights[k] * shear * sines[k];
-                terms += weights[k] * (normal[k].abs() + shear.abs());
-            }
-            size += terms / edge.sqrt();
-            [1.0 - of_normal, -of_shear]
-        });
-        // Both ways to the edge must agree, which does not tell an error of the phase.
-        let parts_error = parts.map_or(0.0, |[normal, shear]| {
-            (normal * normal + shear * shear - edge).abs() / edge + missing_at_edge / edge.sqrt()
-        });
-        // Beyond the panels, the coupling at the edge is that of `cos^2 z/z`.
-        let cut = y12[rows - 1].abs() / (2.0 * PI * self.end) * end.powi(2).min(1.0);
-        let answer = with_answer.then(|| {
-            let [p_hat, q_hat] = transforms.fields(&coulomb, solutions.col_as_slice(1));
-            (0..rows)
-                .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
-                .collect()
-        });
-        Some(Field {
-            x,
-            eeq,
-            edge,
-            parts,
-            normal,
-            answer,
-            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge),
-            parts_error,
-            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design + cut,
-            rounding: self.rounding * size,
-        })
+        (edge, terms, form)
     }
 }
 

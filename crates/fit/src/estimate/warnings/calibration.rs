@@ -1,8 +1,8 @@
 //! Values that follow a value taken as given, or a calibration, far more than in proportion.
 
-use crate::{Estimate, Fixed, FixedValue, Warning, WarningKind};
+use crate::{Estimate, FixedValue, Warning, WarningKind};
 
-/// The part by which a value changes with 1 % of a given one, 0.01 of a Poisson ratio, or a zero of the contact radii of 1 % of
+/// The part by which a value changes with 1 % of a given one, 0.01 of a Poisson ratio, or readings that move by 1 % of
 /// the largest, from which on hardly anybody knows the given one well enough.
 const LARGE: f64 = 0.1;
 
@@ -23,7 +23,7 @@ pub(in crate::estimate) fn doubts(
         let is_large = |one: &&FixedValue| {
             let is_zero = !one.quantity.errs_in_proportion()
                 && !one.quantity.is_poisson_ratio()
-                && one.quantity != Fixed::ContactRadiusZero;
+                && !one.quantity.moves_readings();
             !is_zero && one.error.is_none() && size(one) > least
         };
         let mut rows: Vec<_> = fixed_values.iter().filter(is_large).collect();
@@ -32,8 +32,8 @@ pub(in crate::estimate) fn doubts(
         let by = 1e2 * first.changes[i] / estimate.value;
         let step = if first.quantity.is_poisson_ratio() {
             format!("{:+}", first.step)
-        } else if first.quantity == Fixed::ContactRadiusZero {
-            format!("{:+.1e} m", first.step)
+        } else if first.quantity.moves_readings() {
+            format!("{:+.1e} {}", first.step, first.quantity.unit())
         } else {
             format!("{:+.0} %", 1e2 * first.step / first.value)
         };

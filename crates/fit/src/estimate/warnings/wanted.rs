@@ -131,9 +131,14 @@ fn zeros_wanted(
         }
         if gain.is_significant() {
             level_named |= is_level;
+            // Other errors look like an offset, and this one can be seen.
+            let compare = match parameter {
+                Parameter::LoadOffset => ", and compare it with the load without contact",
+                _ => "",
+            };
             warnings.push(WarningKind::OffsetWanted.with(format!(
                 "{name}: {parameter} is not fitted, and with it the model would describe the data better: \
-                 chi^2 would be lower by {:.0}, with {parameter} at {:+.2e} {}; free it",
+                 chi^2 would be lower by {:.0}, with {parameter} at {:+.2e} {}; free it{compare}",
                 gain.chi_squared,
                 gain.change,
                 parameter.unit()

@@ -113,7 +113,8 @@ pub struct Arguments {
     /// reference-modulus, reference-poisson-ratio, beta. A value that is given elsewhere is left out: film-thickness=+-3%, a part by which the values of all files err
     /// together. The calibration of an instrument, by which all its readings err together, is one of contact-radius,
     /// penetration, height, load (also by the sensitivity of a deflection), contact-stiffness: load=+-2%; that of a threshold by
-    /// which all contact radii are read too large is contact-radius-zero=+-1um. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// which all contact radii are read too large is contact-radius-zero=+-1um, and that of a drift of penetrations or heights
+    /// with times position-drift=+-0.05nm/s. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
     #[arg(long = "known", value_name = "NAME=[VALUE]+-ERROR")]

@@ -140,7 +140,7 @@ impl FromStr for Given {
             format!(
                 "{name:?} is no value of a fit: give sphere-radius, half-angle, substrate-modulus, \
                  substrate-poisson-ratio, reference-modulus, reference-poisson-ratio, beta, contact-radius, penetration, \
-                 height, load or contact-stiffness for the scale of what is read, contact-radius-zero, or a parameter that is not free, such as \
+                 height, load or contact-stiffness for the scale of what is read, contact-radius-zero, position-drift, or a parameter that is not free, such as \
                  film-thickness"
             )
         })?;
