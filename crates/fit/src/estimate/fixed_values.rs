@@ -20,6 +20,8 @@ use crate::{Error, Experiment, Fit, Fixed, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
 const STEP: f64 = 0.01;
+/// The change of a zero or drift of what is read as abscissa, over the largest one: some pixels of a picture.
+const OF_READINGS: f64 = 0.005;
 /// The part of this change with which contacts are made, because only small changes have effects in proportion: on a
 /// thin film at a Poisson ratio of 0.5 the slope over 0.01 is a third less than that at 0.5.
 const PART: f64 = 0.01;
@@ -36,7 +38,7 @@ pub struct FixedValue {
     /// The numbers of all measurements that have one, in their order, if they differ; else empty.
     pub values: Vec<f64>,
     /// A change of it: 1 %, 0.01 of a Poisson ratio, or of a zero its known error or the noise of a reading, of the zero of contact
-    /// radii 1 % of the largest, and of a drift what moves positions by 1 % of their range. Where the
+    /// radii 0.5 % of the largest, and of a drift what moves positions by 0.5 % of their range. Where the
     /// value is at the end of what is possible, as a Poisson ratio of 0.5, it goes to the other side.
     pub step: f64,
     /// The change of each estimate that follows, in SI units and in their order: to the first order, as
@@ -192,7 +194,7 @@ pub(super) fn effects(
             _ if is_relative => STEP * value.abs(),
             Some(error) => error,
             None if quantity.moves_readings() => {
-                STEP * largest_move(problem.experiments(), quantity)?
+                OF_READINGS * largest_move(problem.experiments(), quantity)?
             }
             // A zero is known to some noise of the readings whose zero it is.
             None => {

@@ -418,7 +418,7 @@ named! {
         /// error if the film slid.
         AssumesBonding = "assumes-bonding",
         /// A value that changes by more than a tenth with 1 % of a value taken as given or of a calibration, or with
-        /// readings that move by 1 % of the largest.
+        /// readings that move by 0.5 % of the largest.
         Calibration = "calibration",
         /// The fit was stopped by the end of the table.
         EndOfTable = "end-of-table",
@@ -456,7 +456,7 @@ impl WarningKind {
     }
 
     /// Tells whether the warning is about the bodies and what the model leaves out of them, and not about the data.
-    pub(super) const fn is_of_model(self) -> bool {
+    pub const fn is_of_model(self) -> bool {
         matches!(
             self,
             Self::AssumesBonding

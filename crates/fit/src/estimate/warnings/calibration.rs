@@ -2,7 +2,7 @@
 
 use crate::{Estimate, FixedValue, Warning, WarningKind};
 
-/// The part by which a value changes with 1 % of a given one, 0.01 of a Poisson ratio, or readings that move by 1 % of
+/// The part by which a value changes with 1 % of a given one, 0.01 of a Poisson ratio, or readings that move by 0.5 % of
 /// the largest, from which on hardly anybody knows the given one well enough.
 const LARGE: f64 = 0.1;
 

@@ -76,6 +76,11 @@ pub(super) fn add(warnings: &mut Vec<Warning>, score: &Score<'_>, apart: &[OwnVa
     warnings.retain(|one| one.kind != WarningKind::SpringWanted);
     let parts = apart.iter().filter(|one| one.parameter == most.parameter);
     let [least, largest] = extremes(parts.map(|one| 100.0 * one.part));
+    let off = if least == largest {
+        format!("{least:+.0} %")
+    } else {
+        format!("{least:+.0} % to {largest:+.0} %")
+    };
     let assigned = &score.problem.assigned;
     let otherwise = if by_spring > HARDLY_LESS * explained {
         "a spring in series with all of them explains hardly less, so check frame and cantilever first"
@@ -83,15 +88,13 @@ pub(super) fn add(warnings: &mut Vec<Warning>, score: &Score<'_>, apart: &[OwnVa
         "no zero and no spring that they share explains as much"
     };
     warnings.push(WarningKind::PoorFit.with(format!(
-        "the files do not have one {}: {} of {} would be described better with one of their own, some {:+.0} % to {:+.0} % off, \
+        "the files do not have one {}: {} of {} would be described better with one of their own, some {off} off, \
          {} by a chi^2 that is lower by {:.0}, and {otherwise}. Find one for each file: the \
          error of their mean follows from their scatter, of which the standard error of a common value holds nothing; or \
          check what is given for each file, such as a thickness",
         most.parameter,
         apart.len(),
         assigned.len(),
-        least.min(0.0),
-        largest.max(0.0),
         assigned[most.e].experiment.measurement.name,
         most.chi_squared,
     )));

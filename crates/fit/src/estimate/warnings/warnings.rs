@@ -108,6 +108,11 @@ pub(crate) fn warnings(
     warnings.extend(relaxing::of_one_size(problem));
     // What the data say comes before what the model leaves out in all data.
     warnings.sort_by_key(|one| one.kind.is_of_model());
+    // Of several files the first one tells of surface tension.
+    let mut is_told = false;
+    warnings.retain(|one| {
+        one.kind != WarningKind::SurfaceTension || !std::mem::replace(&mut is_told, true)
+    });
     warnings
 }
 

@@ -14,7 +14,9 @@ const WAYS: [&str; 2] = [
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
 pub fn further_doubts(fit: &Fit, experiments: &[Experiment]) -> String {
     let others = fit.warnings.iter();
-    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
+    // What the model leaves out of all data explains no impossible value.
+    let others = others
+        .filter(|warning| warning.kind != WarningKind::Implausible && !warning.kind.is_of_model());
     let texts: String = others
         .map(|warning| format!("\nwarning: {}", warning.text))
         .collect();
