@@ -6,6 +6,9 @@ use crate::{Estimate, FixedValue, Warning, WarningKind};
 /// the largest, from which on hardly anybody knows the given one well enough.
 const LARGE: f64 = 0.1;
 
+/// The per cents above which the change is not told: the data hardly determine the value.
+const UNDETERMINED: f64 = 1000.0;
+
 /// Doubts values whose standard errors say little beside what given values do that are known to 1 %.
 pub(in crate::estimate) fn doubts(
     estimates: &[Estimate],
@@ -29,7 +32,10 @@ pub(in crate::estimate) fn doubts(
         let mut rows: Vec<_> = fixed_values.iter().filter(is_large).collect();
         rows.sort_by(|one, other| size(other).total_cmp(&size(one)));
         let (first, others) = rows.split_first()?;
-        let by = 1e2 * first.changes[i] / estimate.value;
+        let by = match 1e2 * first.changes[i] / estimate.value {
+            by if by.abs() > UNDETERMINED => format!("more than {UNDETERMINED} %"),
+            by => format!("{by:+.0} %"),
+        };
         let step = if first.quantity.is_poisson_ratio() {
             format!("{:+}", first.step)
         } else if first.quantity.moves_readings() {
@@ -43,10 +49,41 @@ pub(in crate::estimate) fn doubts(
             names => format!(", and by more than {:.0} % with {names}", 1e2 * LARGE),
         };
         Some(WarningKind::Calibration.with(format!(
-            "{parameter} changes by {by:+.0} % with {step} of {}{others}: its standard error holds nothing of that; give \
+            "{parameter} changes by {by} with {step} of {}{others}: its standard error holds nothing of that; give \
              the errors of such values",
             first.quantity.name()
         )))
     };
     estimates.iter().enumerate().filter_map(doubt).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Fixed, Parameter, Scale};
+
+    #[test]
+    fn a_change_of_a_value_that_is_hardly_determined_is_told_by_its_size_alone() {
+        for (change, words) in [(-0.2, "by -20 % with"), (-9e3, "by more than 1000 % with")] {
+            let estimate = Estimate {
+                parameter: Parameter::FilmModulus,
+                experiment: None,
+                value: 1.0,
+                standard_error: 0.1,
+                profile: None,
+                prior: None,
+                bounds: None,
+            };
+            let row = FixedValue {
+                quantity: Fixed::Scale(Scale::Load),
+                value: 1.0,
+                values: Vec::new(),
+                step: 0.01,
+                changes: vec![change],
+                error: None,
+            };
+            let doubts = doubts(&[estimate], &[row]);
+            assert!(doubts[0].text.contains(words), "{doubts:?}");
+        }
+    }
 }
