@@ -273,3 +273,36 @@ fn a_fit_of_a_third_of_the_points_is_an_error_unless_allowed() {
     };
     assert!(of("beyond-end") > 20, "{object}");
 }
+
+/// Where each file has a thickness of its own, radii are told beside it, and so are doubts.
+#[test]
+fn the_contact_radii_of_each_film_are_beside_its_own_thickness() {
+    let workdir = workdir!();
+    for (name, thickness) in [("thin", "10um"), ("thick", "40um")] {
+        let data = workdir.simulate(format!(
+            "--kind load-radius --specimen paper --film-thickness {thickness} --from 20um --to 100um --points 30 --noise 1uN"
+        ));
+        workdir.write(&format!("{name}.csv"), data);
+    }
+    let report = workdir.succeed(
+        "fit thin.csv thick.csv --specimen paper --value film-thickness=10um,40um --noise 1uN \
+         --free film-thickness,work-of-adhesion --own film-thickness",
+    );
+    for (name, truth) in [("thin", 10.0), ("thick", 2.5)] {
+        let radii =
+            format!("{name}.csv: contact radii from 20.0 um to 100 um, over the thickness from ");
+        let (_, ends) = report.split_once(&radii).expect("a line");
+        let (_, most) = ends.split_once(" to ").expect("two ends");
+        let most: f64 = most
+            .lines()
+            .next()
+            .expect("a line")
+            .parse()
+            .expect("a number");
+        assert!((most / truth - 1.0).abs() < 0.05, "{report}");
+        assert_names(
+            &report,
+            &format!("warning: film-thickness of {name}.csv changes by"),
+        );
+    }
+}

@@ -1,7 +1,9 @@
 //! Errors of an experiment that no residual shows, by as much as the documents say.
 
-use acceptance::{Contacts, solid};
+use acceptance::{Contacts, rigid_probe, solid};
+use contact::Contact;
 use fit::{Experiment, Fit, Kind, Measurement, Parameter, WarningKind};
+use interp::{Probe, Table};
 
 use crate::imagined::{assert_silent, fit_with, free_of, half_space, measurement_of};
 
@@ -99,4 +101,19 @@ fn a_drift_of_the_position_changes_the_modulus_of_an_approach() {
     let modulus = mean(Parameter::FilmModulus, drifts) / (0.75 * MODULUS);
     assert!((modulus - 0.94).abs() < 0.01, "{modulus}");
     assert_silent(&drifts(0), WarningKind::SpringWanted);
+}
+
+/// A lens that is a cap of height `h` on glass, on a rigid sample, is a film under a rigid sphere.
+#[test]
+fn a_cap_bears_more_than_a_half_space() {
+    let (radius, height) = (2e-3, 1e-3);
+    let sphere = Probe::Paraboloid { radius };
+    let cap = rigid_probe(sphere, solid(0.75 * MODULUS, 0.5), height, solid(7e10, 0.2));
+    let contact = Contact::in_table(Table::embedded(), &cap).expect("in the table");
+    for (part, percent) in [(0.2, 0.6), (0.3, 2.0), (0.5, 7.9)] {
+        let a = part * height;
+        let hertz = 4.0 / 3.0 * MODULUS * a.powi(3) / radius;
+        let more = 1e2 * (contact.load(a, 0.0).expect("in the table") / hertz - 1.0);
+        assert!((more - percent).abs() < 0.05, "{part}: {more}");
+    }
 }

@@ -69,7 +69,7 @@ pub fn forecast(
     let broken: Vec<_> = broken.collect();
     read_as_predicted(&mut problem);
     let fixed_values = fixed_values::effects(&problem, &uncertainty, &[], true);
-    let mut warnings = calibration::doubts(&estimates, &fixed_values);
+    let mut warnings = calibration::doubts(&problem.slot_names(), &estimates, &fixed_values);
     warnings.extend(broken);
     Ok(Forecast {
         correlation: uncertainty.correlation(),

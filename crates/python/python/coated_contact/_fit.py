@@ -75,7 +75,7 @@ def fit(
         stiffness. ``{"load": 0.02}`` is a calibration by which all loads err together, by 2 %;
         ``contact_radius``, ``penetration``, ``height`` and ``contact_stiffness`` have one, too, and
         ``contact_radius_zero`` is the length (m) by which a threshold reads all radii too large,
-        ``position_drift`` the speed (m/s) of penetrations or heights with times.
+        ``position_drift`` the speed (m/s) with which penetrations or heights that have times drift.
         The fit keeps the values, and their errors add to the standard errors and the
         correlation: to the first order, independent of one another. Where experiments have
         different values, the error is that of the first, and the others err in proportion;

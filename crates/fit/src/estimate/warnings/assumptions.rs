@@ -145,7 +145,7 @@ fn surface_tension(experiment: &Experiment, validity: &Validity) -> Option<Warni
     matters.then(|| {
         WarningKind::SurfaceTension.with(format!(
             "{name}: a surface tension of {:.1e} N/m would raise the load of the widest contact without adhesion by a tenth at its \
-             penetration, and those of smaller ones by more, and the model has none. Gels and elastomers in air have 0.02 \
+             penetration, and the model has none. Gels and elastomers in air have 0.02 \
              to 0.07 N/m, the cortex of a cell 1e-4 to 1e-3 N/m, a gel in its liquid hardly any: where it matters, the modulus \
              falls with wider contacts and larger spheres",
             validity.surface_tension

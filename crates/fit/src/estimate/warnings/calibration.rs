@@ -9,8 +9,9 @@ const LARGE: f64 = 0.1;
 /// The per cents above which the change is not told: the data hardly determine the value.
 const UNDETERMINED: f64 = 1000.0;
 
-/// Doubts values whose standard errors say little beside what given values do that are known to 1 %.
+/// Doubts values, with these `names`, whose standard errors say little beside what given values do that are known to 1 %.
 pub(in crate::estimate) fn doubts(
+    names: &[String],
     estimates: &[Estimate],
     fixed_values: &[FixedValue],
 ) -> Vec<Warning> {
@@ -43,14 +44,15 @@ pub(in crate::estimate) fn doubts(
         } else {
             format!("{:+.0} %", 1e2 * first.step / first.value)
         };
-        let names: Vec<_> = others.iter().map(|one| one.quantity.name()).collect();
-        let others = match &*names.join(", ") {
+        let others: Vec<_> = others.iter().map(|one| one.quantity.name()).collect();
+        let others = match &*others.join(", ") {
             "" => String::new(),
-            names => format!(", and by more than {:.0} % with {names}", 1e2 * LARGE),
+            others => format!(", and by more than {:.0} % with {others}", 1e2 * LARGE),
         };
         Some(WarningKind::Calibration.with(format!(
-            "{parameter} changes by {by} with {step} of {}{others}: its standard error holds nothing of that; give \
+            "{} changes by {by} with {step} of {}{others}: its standard error holds nothing of that; give \
              the errors of such values",
+            names[i],
             first.quantity.name()
         )))
     };
@@ -82,7 +84,7 @@ mod tests {
                 changes: vec![change],
                 error: None,
             };
-            let doubts = doubts(&[estimate], &[row]);
+            let doubts = doubts(&["film-modulus".to_owned()], &[estimate], &[row]);
             assert!(doubts[0].text.contains(words), "{doubts:?}");
         }
     }

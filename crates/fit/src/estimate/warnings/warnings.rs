@@ -86,7 +86,11 @@ pub(crate) fn warnings(
             Validity::WARNING_A_OVER_R,
         ));
     }
-    warnings.extend(calibration::doubts(&fit.estimates, &fit.fixed_values));
+    warnings.extend(calibration::doubts(
+        &names,
+        &fit.estimates,
+        &fit.fixed_values,
+    ));
     for (e, whole) in data.iter().enumerate() {
         let range = options.interaction_range;
         let broken = assumptions::of_problem(problem, e, range, &fit.estimates);

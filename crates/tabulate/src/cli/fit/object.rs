@@ -27,9 +27,8 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
     };
     // The smallest and the largest contact radius of the points over the thickness of the film or top layer; null on a
     // half-space.
-    let ratios = |fitted: &FittedExperiment, own: &Experiment| {
-        a_over_t(fit, fitted, own).map(|ends| numbers(&ends)).into()
-    };
+    let ratios = a_over_t(fit, experiments).into_iter();
+    let ratios = ratios.map(|ends| ends.map(|ends| numbers(&ends)).into());
     let left_out =
         |fitted: &FittedExperiment, _: &Experiment| fitted.left_out.iter().map(group).collect();
     let doubts = told(experiments, notes)
@@ -51,7 +50,7 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
         "reduced_chi_squared": fit.reduced_chi_squared.map(number),
         "noise": one_or_all(all_of(&|fitted, _| number(fitted.noise))),
         "abscissa_noise": one_or_all(all_of(&|fitted, _| number(fitted.abscissa_noise))),
-        "a_over_t": one_or_all(all_of(&ratios)),
+        "a_over_t": one_or_all(ratios.collect()),
         // The least and the largest speed, where adhesion depends on it.
         "line_speed": any_of(&|fitted, _| line_speeds(fitted).map(|ends| numbers(&ends)).into()),
         "left_out": one_or_all(all_of(&left_out)),
