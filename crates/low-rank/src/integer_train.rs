@@ -3,9 +3,8 @@
 use std::ops::RangeInclusive;
 
 use crate::Malformed;
-use crate::chebyshev::{polynomials, smoothness};
+use crate::chebyshev::smoothness;
 use crate::entropy;
-use crate::weighted_sum::add_rows;
 
 /// The step, and the largest contribution of an integer: far from overflow.
 const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -303,78 +302,12 @@ impl IntegerTrain {
     }
 
     /// Returns the weights of the bonds.
-    fn weights(&self) -> [Vec<f64>; 3] {
+    pub(crate) fn weights(&self) -> [Vec<f64>; 3] {
         let weight = |&exponent: &i8| f64::from(exponent).exp2();
         self.weights
             .each_ref()
             .map(|exponents| exponents.iter().map(weight).collect())
     }
-
-    /// Returns the values at a grid of coordinates, row-major over those of the variables 1, 2, 3 and
-    /// 0, and the functions.
-    ///
-    /// `ends` are the ends of the box, and `places` the coordinates of the grid: an entry for each
-    /// variable, 0 to 3.
-    pub fn values(&self, ends: [[f64; 2]; 4], places: [&[f64]; 4]) -> Vec<f64> {
-        let variables = self.variables();
-        let mut vectors = vec![1.0];
-        for (i, [before, terms, after]) in self.shapes().into_iter().enumerate() {
-            let variable = variables[i];
-            let weights = match i {
-                0 => vec![self.step; before],
-                _ => self.weights()[i - 1]
-                    .iter()
-                    .map(|weight| self.step / weight)
-                    .collect(),
-            };
-            let integers: Vec<f64> = self.cores[i].iter().map(|&n| n as f64).collect();
-            // The core at each place: a row over the next bond for each index of the bond before.
-            let mut at_places = Vec::with_capacity(places[variable].len() * before * after);
-            for &place in places[variable] {
-                let polynomials =
-                    polynomials(self.smooth_degrees[variable], terms, ends[variable], place);
-                for (b, rows) in integers.chunks_exact(terms * after).enumerate() {
-                    let mut row = vec![0.0; after];
-                    add_rows(&mut row, &polynomials, rows, after);
-                    at_places.extend(row.iter().map(|entry| weights[b] * entry));
-                }
-            }
-            let mut next =
-                Vec::with_capacity(vectors.len() / before * places[variable].len() * after);
-            for vector in vectors.chunks_exact(before) {
-                for core in at_places.chunks_exact(before * after) {
-                    let mut row = vec![0.0; after];
-                    add_rows(&mut row, vector, core, after);
-                    next.extend(row);
-                }
-            }
-            vectors = next;
-        }
-        // From the order of the cores to that of the variables.
-        let counts = self.order.map(|variable| places[variable].len());
-        let core = |variable: usize| {
-            let core = self.order.iter().position(|&other| other == variable);
-            1 + core.expect("the order holds each variable")
-        };
-        permuted(&vectors, &counts, [1, 2, 3].map(core))
-    }
-}
-
-/// Returns a tensor of the axes 1, 2, 3 and the rest, with the first three in another order.
-pub(crate) fn permuted(tensor: &[f64], counts: &[usize], order: [usize; 3]) -> Vec<f64> {
-    let width = tensor.len() / counts[..3].iter().product::<usize>();
-    let strides = [counts[1] * counts[2], counts[2], 1];
-    let [first, second, third] = order.map(|axis| (counts[axis - 1], strides[axis - 1]));
-    let mut result = Vec::with_capacity(tensor.len());
-    for i in 0..first.0 {
-        for j in 0..second.0 {
-            for k in 0..third.0 {
-                let at = i * first.1 + j * second.1 + k * third.1;
-                result.extend_from_slice(&tensor[at * width..][..width]);
-            }
-        }
-    }
-    result
 }
 
 /// Returns the sum of squares, each times the mean of its term. There are `after` entries for each

@@ -16,7 +16,8 @@ use thiserror::Error;
 
 use super::coefficients::{Axis, Coefficients};
 use super::matrices::{larger, rank, row_major, singular_vectors};
-use crate::integer_train::{IntegerTrain, permuted};
+use super::values::permuted;
+use crate::IntegerTrain;
 
 /// The step, over the largest error allowed anywhere: the bounds of the search. For the
 /// table of `interp` it ends between a hundredth and a thousandth.
