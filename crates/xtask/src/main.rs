@@ -154,6 +154,8 @@ fn tests_in_rust(args: &[String], environment: &Environment) -> Result<Command, 
     let mut cargo = hdf5::cargo(&command)?;
     cargo
         .envs(environment.iter().cloned())
+        // The threads of BLAS keep cores busy while they wait, and the tests give them little to do.
+        .env("OPENBLAS_NUM_THREADS", "1")
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     Ok(cargo)
 }
