@@ -67,6 +67,7 @@ mod needs;
 pub mod once;
 mod prepared_train;
 mod tiling;
+mod values;
 mod vectors;
 mod weighted_sum;
 

@@ -41,12 +41,6 @@ pub(super) fn row_major(matrix: MatRef<'_, f64>) -> impl Iterator<Item = f64> {
         .flat_map(move |row| (0..matrix.ncols()).map(move |column| matrix[(row, column)]))
 }
 
-/// Returns the entries of a matrix, column by column.
-pub(super) fn column_major(matrix: &Mat<f64>) -> impl Iterator<Item = f64> {
-    let columns = matrix.col_iter();
-    columns.flat_map(|column| column.iter().copied())
-}
-
 /// Returns the number of squares, one at least, that are left when the last ones are dropped, whose
 /// sum is at most the square of `tail`.
 pub(super) fn rank(squares: &[f64], tail: f64) -> usize {

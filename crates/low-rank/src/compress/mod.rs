@@ -1,12 +1,11 @@
 //! The train of functions given at the nodes of a grid, in about as few bytes as an error allows.
 //!
 //! `coefficients` expands the functions in the polynomials of a box, and `truncation` makes a train of
-//! integers of the coefficients, by the decompositions of `matrices`. `values` are those of a train on a grid.
+//! integers of the coefficients, by the decompositions of `matrices`.
 
 mod coefficients;
 mod matrices;
 mod truncation;
-mod values;
 
 pub use coefficients::Axis;
 pub use truncation::{NotReached, compress};

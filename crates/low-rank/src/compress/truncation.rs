@@ -16,8 +16,8 @@ use thiserror::Error;
 
 use super::coefficients::{Axis, Coefficients};
 use super::matrices::{larger, rank, row_major, singular_vectors};
-use super::values::permuted;
 use crate::IntegerTrain;
+use crate::values::permuted;
 
 /// The step, over the largest error allowed anywhere: the bounds of the search. For the
 /// table of `interp` it ends between a hundredth and a thousandth.
