@@ -231,7 +231,13 @@ fn a_stack_file_has_the_interfaces_of_its_layers() {
     assert!(relative_error(&quantities(&found), &truth.quantities) <= 1e-14);
     let cases = r#"
         "sliding" | "slide" | layer 2 of 2; "slide" is none; "sliding"
+        "sliding" | 5 | layer 2 of 2; interface = 5; "sliding"
         = 2e11, normal | = -1, normal | primer; tangential; -1.0 Pa/m
+        = 2e11, normal | = "200 GPa/m", normal | primer; tangential_stiffness = "200 GPa/m"; Pa/m, such as 2e11
+        tangential_stiffness = 2e11, | | primer; tangential_stiffness is missing; 0; inf
+        normal_stiffness | normal | primer; unknown key "normal"; normal_stiffness
+        thickness = 2.5e-6 | thickness = 2.5 um | SI units; without quotes
+        thickness = 2.5e-6 | thickness = "2.5e-6" | SI units; without quotes
         "#;
     assert_cases(cases, |[from, to, _]| {
         solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused")

@@ -7,30 +7,34 @@ use interp::{Probe, Table};
 #[test]
 fn derivatives_below_the_nodes_under_a_sphere_are_differences() {
     // At the first node the contact has half the radius of the sphere.
-    let probe = || Probe::Sphere { radius: 2e-6 };
-    let system = |young: f64| rigid_probe(probe(), solid(young, 0.4), 1e-3, solid(1e9, 0.3));
+    let system = |radius: f64, young: f64| {
+        let probe = Probe::Sphere { radius };
+        rigid_probe(probe, solid(young, 0.4), 1e-3, solid(1e9, 0.3))
+    };
     let first = 1e-3 * Table::embedded().axis(interp::Parameter::AOverT)[0];
-    let all = Contact::in_table_with_gradient(Table::embedded(), &system(1e6)).expect("inside");
+    let [radius, young] = [2e-6, 1e6];
+    let all = Contact::in_table_with_gradient(Table::embedded(), &system(radius, young));
+    let all = all.expect("inside");
     for part in [0.03, 0.3, 0.9] {
         let a = part * first;
-        let mut found = [contact::Derivatives::ZERO];
-        all.derivatives(a, 0.0, &[Input::FilmModulus], &mut found)
+        let inputs = [Input::FilmModulus, Input::SphereRadius];
+        let mut found = [contact::Derivatives::ZERO; 2];
+        all.derivatives(a, 0.0, &inputs, &mut found)
             .expect("inside");
-        let at = |factor: f64| {
-            let moved = Contact::in_table(Table::embedded(), &system(1e6 * factor));
-            moved
-                .expect("inside")
-                .load_and_penetration(a, 0.0)
-                .expect("inside")
+        let at = |radius: f64, young: f64| {
+            let moved = Contact::in_table(Table::embedded(), &system(radius, young));
+            let moved = moved.expect("inside");
+            moved.load_and_penetration(a, 0.0).expect("inside")
         };
-        let (above, below) = (at(1.001), at(0.999));
-        let by_load = (above.0 - below.0) / 2e3;
-        let by_penetration = (above.1 - below.1) / 2e3;
-        assert!((found[0].load / by_load - 1.0).abs() < 1e-5, "{part}");
-        assert!(
-            (found[0].penetration / by_penetration - 1.0).abs() < 5e-3,
-            "{part}"
-        );
+        let pairs = [1.001, 0.999].map(|x| [at(radius, x * young), at(x * radius, young)]);
+        for (i, size) in [young, radius].into_iter().enumerate() {
+            let [above, below] = pairs.map(|pair| pair[i]);
+            let by = |difference: f64| difference / (2e-3 * size);
+            let by_load = found[i].load / by(above.0 - below.0);
+            assert!((by_load - 1.0).abs() < 1e-5, "{part}, {i}");
+            let by_penetration = found[i].penetration / by(above.1 - below.1);
+            assert!((by_penetration - 1.0).abs() < 5e-3, "{part}, {i}");
+        }
     }
 }
 

@@ -113,12 +113,6 @@ impl Mechanics {
         })
     }
 
-    /// Returns the modulus `E*` (Pa) that normalises the quantities: that of the sphere, or of the
-    /// film under a rigid sphere.
-    pub const fn modulus(&self) -> f64 {
-        self.modulus
-    }
-
     /// Returns the radius `R` of the sphere or paraboloid, or that of the end of a rounded cone, m;
     /// NaN for a probe without a radius of curvature.
     pub const fn sphere_radius(&self) -> f64 {

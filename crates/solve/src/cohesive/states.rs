@@ -57,19 +57,6 @@ impl Cohesive {
         Ok(gaps.into_iter().map(|gap| gap * self.thickness).collect())
     }
 
-    /// Returns the states at the radii of [`Cohesive::branch_radii`].
-    ///
-    /// # Errors
-    /// As [`Cohesive::state`] and [`Cohesive::branch_radii`].
-    pub fn branch(
-        &self,
-        contact_radii: [f64; 2],
-        count: usize,
-    ) -> Result<Vec<CohesiveState>, Error> {
-        let radii = Self::branch_radii(contact_radii, count)?;
-        radii.into_iter().map(|a| self.state(a)).collect()
-    }
-
     /// Returns `count` radii, evenly spaced in their logarithm between the ends of `contact_radii`.
     ///
     /// # Errors

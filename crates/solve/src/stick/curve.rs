@@ -122,11 +122,6 @@ impl StickCurves {
     pub fn at(&self, a_over_t: f64) -> Result<Grown, Error> {
         self.grown.at(a_over_t)
     }
-
-    /// Returns the estimated relative error of the solves.
-    pub fn error(&self) -> f64 {
-        self.grown.error()
-    }
 }
 
 /// Makes the splines of several ratios, with nodes as close as the tolerance needs.

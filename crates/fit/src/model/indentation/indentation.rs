@@ -95,9 +95,3 @@ impl Indentation {
         loss_tangent: 0.0,
     };
 }
-
-impl Default for Indentation {
-    fn default() -> Self {
-        Self::NEW
-    }
-}
