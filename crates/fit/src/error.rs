@@ -178,6 +178,12 @@ impl Error {
     }
 }
 
+impl From<interp::Error> for Error {
+    fn from(error: interp::Error) -> Self {
+        Self::Contact(error.into())
+    }
+}
+
 /// Why data do not determine parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undetermined {

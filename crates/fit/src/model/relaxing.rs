@@ -207,8 +207,7 @@ impl Experiment {
         let mut rigid = self.bodies.clone();
         rigid.sphere_modulus = f64::INFINITY;
         if let Some(base) = rigid.base() {
-            rigid.base =
-                Elastic::new(f64::INFINITY, base.poisson()).map_err(contact::Error::from)?;
+            rigid.base = Elastic::new(f64::INFINITY, base.poisson())?;
         }
         rigid.contact(table, &[]).map(Some)
     }
