@@ -190,7 +190,6 @@ fn wrong_first_calls_say_what_to_do() {
         1 | solve --a-over-t 1 --e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf --interface-stiffness 1,1e-13 | the film; 1e-13 E1/t
         1 | curve {FILM} --interface-stiffness -1 | the film; tangential; -1.0 Pa/m; 0
         2 | curve {FILM} --interface sliding --interface-stiffness 1 | --interface; --interface-stiffness
-        1 | curve {FILM} --interface sliding --probe cone --half-angle 70 | --probe; not one bonded film; not under a cone; flat-punch
         2 | curve embedded {FILM} --interface sliding | --interface; [TABLE]
         2 | curve --specimen paper --stack stack.toml --interface sliding | --interface; --stack
         2 | curve {FILM} --interface sliding --film-thickness 0.1um | --film-thickness

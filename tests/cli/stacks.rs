@@ -4,8 +4,10 @@ use acceptance::{
     Workdir, assert_close, assert_estimate, assert_names, layer, number, solid, stack, value,
     workdir,
 };
-use solve::solve_stack;
+use contact::Contact;
+use interp::{Probe, System};
 use solve::stack::Stack;
+use solve::{solve_stack, stack_curve};
 
 const TEXT: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
     [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\
@@ -93,7 +95,6 @@ fn what_describes_one_film_does_not_go_with_a_stack() {
         2 | solve --sphere-modulus 2e6 --a-over-t 1 | --e1-over-e2
         2 | curve --stack stack.toml --film-thickness 1e-6 | --film-thickness
         2 | curve embedded --stack stack.toml | --stack
-        1 | curve --stack stack.toml --probe sphere | --probe; not under a sphere; flat-punch
         1 | curve --stack stack.toml --probe flat-punch --interaction-range 5nm | flat punch; paraboloid
         2 | fit data.csv --stack stack.toml --film-modulus 1e6 | --film-modulus
         2 | fit data.csv --stack stack.toml --half-space | --half-space
@@ -134,6 +135,49 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
         for (key, truth) in [(name, truth), ("work_of_adhesion", 0.04)] {
             assert_estimate(&fit, key, truth, 0.1 * truth);
         }
+    }
+}
+
+/// A cone on the stack: its curve is that of the library, and a fit finds both layers.
+#[test]
+fn a_cone_on_layers_is_solved_and_fitted() {
+    let workdir = workdir!();
+    let stack = written(&workdir);
+    let young = "young_modulus = 3.5e6";
+    let named = TEXT.replace(young, &format!("name = \"coat\"\n{young}"));
+    workdir.write("stack.toml", named);
+    let bodies = "--stack stack.toml --sphere-modulus inf --probe cone --half-angle 70";
+    let curve = format!("curve {bodies} --work-of-adhesion 0 --from 0.2um --to 1um --points 3");
+    let curve = workdir.csv(curve);
+    let system = System {
+        probe: Probe::Cone {
+            half_angle: 70_f64.to_radians(),
+        },
+        ..stack.system(1.0, f64::INFINITY)
+    };
+    let solved = stack_curve(&stack, f64::INFINITY, [1e-4, 4.0], 1e-10).expect("within reach");
+    let contact = Contact::new(&system, solved).expect("its own curve");
+    for row in curve.cases() {
+        let a = row.get("contact_radius");
+        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+        assert_close(row.get("load"), load, 1e-7);
+        assert_close(row.get("penetration"), penetration, 1e-7);
+    }
+    // Contacts of the widest radius that is solved, and beyond it.
+    let wide = format!("curve {bodies} --work-of-adhesion 0 --points 2 --to");
+    workdir.answer(format!("{wide} 5mm"));
+    let refused = workdir.fail(1, format!("{wide} 5.1mm"));
+    assert_names(&refused, "0.0051 m; 667 times; --to; 0.005 or less");
+
+    let bodies = format!("{bodies} --work-of-adhesion 0");
+    let data = "--kind load-penetration --from 0 --to 3um --points 60 --noise 20nN --seed 1";
+    workdir.write("data.csv", workdir.simulate(format!("{bodies} {data}")));
+    let free = "--free primer.modulus,coat.modulus --noise 20nN --json";
+    let fit = workdir.json(format!(
+        "fit data.csv --kind load-penetration {bodies} {free}"
+    ));
+    for (name, truth) in [("primer.modulus", 5e5), ("coat.modulus", 3.5e6)] {
+        assert_estimate(&fit, name, truth, 0.02 * truth);
     }
 }
 

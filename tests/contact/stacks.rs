@@ -1,7 +1,7 @@
 //! A stack of layers answers what a film answers; what would assume one film is an error, or is of
 //! all layers.
 
-use acceptance::{assert_matches, layer, paper_system, solid, solved_contact, stack};
+use acceptance::{assert_matches, layer, paper_system, power_law, solid, solved_contact, stack};
 use contact::{Contact, Error};
 use interp::{Probe, Quantity, System};
 use solve::stack::{Interface, Layer, Stack};
@@ -167,4 +167,45 @@ fn a_stiff_layer_that_bends_under_a_flat_punch_is_told_of() {
             "{young:e} {poisson} {thickness} {a_over_top}"
         );
     }
+}
+
+/// A film that is taken as a stack: its bending length is found from its compliance.
+#[test]
+fn a_stack_of_one_film_makes_no_disc_where_the_film_makes_none() {
+    const RANGE: [f64; 2] = [1e-3, 100.0];
+    let (mut none, mut count) = (0, 0);
+    for contrast in [1.0, 10.0, 100.0, 1e3, 1e4, 1e5] {
+        let stack = stack(solid(1.0, 0.3), &[layer(contrast, 0.3, 1.0)]);
+        let system = stack.system(1.0, f64::INFINITY);
+        let material = system.material().expect("physical");
+        let curves = [
+            stack_curve(&stack, f64::INFINITY, RANGE, 1e-8),
+            solve::curve(&material, RANGE, 1e-8),
+        ]
+        .map(|curve| curve.expect("within reach"));
+        for a_over_t in [0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 15.0, 40.0] {
+            let (radius, half_angle) = (0.5 * a_over_t, 1.2);
+            for probe in [
+                Probe::Cone { half_angle },
+                Probe::FlatEndedCone { radius, half_angle },
+                power_law(0.1, 6.0),
+            ] {
+                let name = probe.name();
+                let system = System {
+                    probe,
+                    ..system.clone()
+                };
+                let [of_stack, of_film] = curves.clone().map(|curve| {
+                    let contact = Contact::new(&system, curve).expect("its own curve");
+                    let validity = contact.validity(a_over_t).expect("in range");
+                    validity.film.expect("layers").no_disc
+                });
+                assert_eq!(of_stack, of_film, "{name}, {contrast:e}, {a_over_t}");
+                count += 1;
+                none += u32::from(of_film);
+            }
+        }
+    }
+    println!("{none} of {count} contacts are no discs");
+    assert!((30..count - 30).contains(&none));
 }

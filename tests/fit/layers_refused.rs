@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use acceptance::{Refused, solid};
 use fit::{Experiment, Fixed, Free, Interrupt, Kind, Parameter};
-use interp::Probe;
 
 use crate::imagined::{Imagined, fit_all};
 use crate::layers::{lens, modulus_of, named, thickness_of, with_reach};
@@ -48,14 +47,6 @@ fn layers_that_cannot_be_solved_are_named() {
     with(modulus_of("elastomer"), 1e18).refused("layer elastomer; 1e9 times");
     // A top layer of 10 nm under contacts of 130 um.
     with(thickness_of("elastomer"), 1e-8).refused("out of reach; top layer");
-}
-
-#[test]
-fn a_cone_on_layers_is_refused() {
-    let lens = lens(&[Parameter::WorkOfAdhesion]);
-    let mut experiment = with_reach(lens.measured(&lens.exact(), 1));
-    experiment.bodies.probe = Probe::Cone { half_angle: 1.4 };
-    fit_all(&[experiment], &lens.free).refused("stack; paraboloid");
 }
 
 #[test]

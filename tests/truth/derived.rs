@@ -135,10 +135,7 @@ fn a_table_that_begins_too_late_says_so_with_an_estimate_that_holds() {
                 text.contains(&format!("begins at a_over_t = {from:?}: ")),
                 "{text}"
             );
-            assert!(
-                text.contains("make a table whose scene begins at a smaller"),
-                "{text}"
-            );
+            assert!(text.contains("begin it at a smaller a_over_t"), "{text}");
             assert!(text.contains("or add pi0 to `quantities`"), "{text}");
             // Asked for a little more than that, it answers.
             let curve = curve_of(&changed(&table, 1.01 * estimate, |_, _| 1.0), own);

@@ -110,7 +110,7 @@ fn nystrom(x: f64, stack: &Stack, sphere: f64, count: usize) -> Quantities {
 
 /// Draws a stack of one to four layers, most of which slide or have springs, of extreme moduli,
 /// thicknesses, Poisson ratios and stiffnesses.
-fn random_stack(draw: &mut Contacts) -> Stack {
+pub(crate) fn random_stack(draw: &mut Contacts) -> Stack {
     let poisson = |draw: &mut Contacts| {
         const SPECIAL: [f64; 6] = [0.5, 0.499_999, 0.3, 0.0, -0.5, -0.9];
         SPECIAL[draw.uniform(0.0, 6.0) as usize]

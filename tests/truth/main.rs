@@ -27,6 +27,7 @@ mod pull_off;
 mod reference;
 mod regimes;
 mod shape_limits;
+mod shapes_on_stacks;
 mod stack_limits;
 mod stacks;
 mod stick;

@@ -23,8 +23,8 @@ pub struct Validity {
     /// A sphere is its paraboloid and `r^4/(8 R^3)`, whose load `F4` and penetration `delta4` lower the
     /// load `F0` by the part `(S delta4 - F4)/F0`: the load at a given penetration is stationary at the
     /// contact radius. On a half-space it is `delta0/(10 R)`, on thin films up to ten times as much as
-    /// this expression. It is this expression on stacks of layers and under full friction, where the
-    /// quartic is not known; outside the nodes of the curve the part of `(a/R)^2` at the nearest one is
+    /// this expression. It is this expression under full friction, and on a curve that begins at too large an `a/t`, where
+    /// the quartic is not known; outside the nodes of the curve the part of `(a/R)^2` at the nearest one is
     /// taken.
     pub shape: f64,
     /// The part by which the load at a given penetration rises because the surface moves sideways
@@ -112,6 +112,9 @@ pub struct FilmValidity {
     ///   `E1*` is above `30 E0*`, and under a flat punch above `20 E0*`, or on layers that are less than a tenth as stiff as
     ///   the top one. The true load is smaller by up to 3.5 % (`r^6`), 6 % (`r^20`), and under a flat punch 10 % on films and
     ///   16 % on the stacks that were tried.
+    ///
+    /// Under other probes than a flat punch, layers have the `l`, and the `E1*/E0*`, of a film as thick as the top layer
+    /// that bends as they do.
     ///
     /// The limits and errors are those of programs that let the contact be any set of rings. The contact of a paraboloid is
     /// a disc, and that of a sphere errs by 2e-4 at most.
@@ -338,17 +341,19 @@ impl Contact {
     fn beside_the_disc(&self, a: f64, system: &System) -> [bool; 2] {
         /// The part of a contact radius below which a flat end does not matter.
         const SMALL_END: f64 = 0.2;
-        let contrast = system.film.reduced() / system.substrate.reduced();
-        let (a_over_t, bending_length) = (a / system.film_thickness, (contrast / 6.0).cbrt());
+        let stack = self.curve().and_then(Curve::stack);
+        let a_over_t = a / (system.film_thickness * stack.map_or(1.0, |stack| stack.top));
+        let contrast_of_film = system.film.reduced() / system.substrate.reduced();
         // Whether the flank of the probe at the edge is nearly straight, and whether its end is flatter than a paraboloid.
         let (straight, flat) = match *self.probe() {
             Probe::Paraboloid { .. } | Probe::Sphere { .. } => return [false; 2],
             Probe::FlatPunch { .. } => {
-                let bends = match self.curve().and_then(Curve::stack) {
-                    Some(stack) => a_over_t > 1.2 * stack.top && self.gives_way(a, system),
-                    None => a_over_t > 1.2 && contrast > 20.0,
+                // Of a film of this contrast, layers give way by so much.
+                let gives_way = match stack {
+                    Some(_) => self.compliance_of_layers(a, system) > 10.0,
+                    None => contrast_of_film > 20.0,
                 };
-                return [false, bends];
+                return [false, a_over_t > 1.2 && gives_way];
             }
             Probe::Cone { .. } => (true, false),
             Probe::RoundedCone { radius, half_angle } => (a > radius / half_angle.tan(), false),
@@ -356,20 +361,39 @@ impl Contact {
             Probe::PowerLaw { exponent, .. } => (exponent < 1.5, exponent > 2.0),
             Probe::Profile(_) => (true, true),
         };
+        let bending_length = match stack {
+            Some(_) => self.bending_length(a, a_over_t, system),
+            None => (contrast_of_film / 6.0).cbrt(),
+        };
+        let contrast = 6.0 * bending_length.powi(3);
         let bends = a_over_t < 2.0 * bending_length;
         let touches_outside = straight && contrast > 150.0 && a_over_t * bending_length > 3.0;
         let lifts_off_inside = flat && contrast > 30.0 && a_over_t > 1.2;
         [bends && touches_outside, bends && lifts_off_inside]
     }
 
-    /// Tells whether layers are less than a tenth as stiff under a flat punch of radius `a` (m) as a half-space of the top
-    /// one: that then bends on what lies below, as films above `20 E0*` do.
-    fn gives_way(&self, a: f64, system: &System) -> bool {
-        const STIFFER: f64 = 10.0;
-        let of_layers = self
-            .stiffness(a)
-            .map(|stiffness| 2.0 * a / stiffness - system.sphere_modulus.recip());
-        of_layers.is_ok_and(|compliance| compliance * system.film.reduced() > STIFFER)
+    /// Returns the compliance of layers under a flat punch of radius `a` (m) over that of a half-space of the top one; NaN
+    /// where it is not known.
+    fn compliance_of_layers(&self, a: f64, system: &System) -> f64 {
+        let stiffness = self.stiffness(a).unwrap_or(f64::NAN);
+        (2.0 * a / stiffness - system.sphere_modulus.recip()) * system.film.reduced()
+    }
+
+    /// Returns the length `l`, over the thickness `t` of the top layer, over which this layer spreads a force as a plate on
+    /// what lies below it, from the compliance of the layers. A plate on a half-space sinks by `l^2/(3 sqrt(3) D)` per force,
+    /// with `D = E1* t^3/12`, under a punch that is wider than `l` by that of the half-space, and in between by about the
+    /// harmonic mean.
+    fn bending_length(&self, a: f64, a_over_top: f64, system: &System) -> f64 {
+        const OF_PLATE: f64 = 4.62; // 8/sqrt(3)
+        let more = self.compliance_of_layers(a, system) - 1.0;
+        if more.is_nan() || more <= 0.0 {
+            return 0.0;
+        }
+        let of_plate = more / (OF_PLATE * a_over_top);
+        let of_half_space = OF_PLATE * a_over_top / 6.0;
+        (0..20).fold(of_plate.sqrt(), |length, _| {
+            (of_plate * (1.0 + of_half_space / length)).sqrt()
+        })
     }
 
     /// Returns [`Validity::shape`] of a sphere on a film; `None` where it is not known.

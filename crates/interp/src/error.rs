@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::SubstratePoissonRatio;
+use crate::{Quantity, SubstratePoissonRatio};
 
 /// Any failure of this crate.
 #[derive(Debug, thiserror::Error)]
@@ -68,12 +68,6 @@ pub enum Error {
         /// The reason, and what to ask instead.
         reason: &'static str,
     },
-    /// The curve of a stack of layers under a probe that is no paraboloid.
-    #[error(
-        "the curve of a stack of layers serves a paraboloid or a flat punch only, because its expansion \
-         for small contacts is not known: use one of these"
-    )]
-    StackProbe,
     /// Points of a measured probe that are no convex shape.
     #[error("row {row} of the profile of the probe cannot be used: {reason}")]
     Profile {
@@ -168,10 +162,10 @@ pub enum Error {
     /// A quantity that a table of `gamma` alone does not answer, because it begins at too large an
     /// `a/t`: the other quantities are integrals over `a/t` that begin there.
     #[error(
-        "{quantity} does not follow from gamma alone in a table that begins at a_over_t = {from:?}: \
-         the estimated error is {estimate:.1e} there, and the tolerance of the table {tolerance:.1e}; \
-         make a table whose scene begins at a smaller a_over_t and extends to four times that, or \
-         add {quantity} to `quantities` in the scene"
+        "{quantity} does not follow from gamma alone in a table or curve that begins at a_over_t = {from:?}: \
+         the estimated error is {estimate:.1e} there, and the tolerance {tolerance:.1e}; \
+         begin it at a smaller a_over_t, and extend it to four times that{}",
+        or_hold(quantity)
     )]
     BeginsTooLate {
         /// The name of the quantity.
@@ -281,6 +275,14 @@ fn extent(from: f64, to: f64) -> String {
         format!("has only {from:?}")
     } else {
         format!("covers {from:?} to {to:?}")
+    }
+}
+
+/// Returns how a table answers a quantity that it now derives; nothing for the contact of a probe.
+fn or_hold(name: &str) -> String {
+    match Quantity::ALL.iter().any(|quantity| quantity.name() == name) {
+        true => format!(", or add {name} to `quantities` in the scene of the table"),
+        false => String::new(),
     }
 }
 

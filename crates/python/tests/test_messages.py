@@ -45,7 +45,10 @@ CASES = {
     "a packed table": (lambda _: cc.Table.open(PACKED), "`Table.read`"),
     "no table": (lambda _: cc.Table.read(ROOT / "README.md"), "packed table"),
     "bytes of HDF5": (lambda _: cc.Table.from_packed(HDF5.read_bytes()), "`Table.open`"),
-    "a cone on a stack": (lambda stack: on(stack, probe=cc.Cone(half_angle=1.2)), "`Paraboloid`"),
+    "a cone on a stack": (
+        lambda stack: on(stack, probe=cc.Cone(half_angle=1.2)),
+        "begin it at a smaller a_over_t, and extend it to four times that",
+    ),
     "a material outside": (
         lambda _: cc.Table.read(PACKED).contact(make_system(film_modulus=1e12)),
         "`generate`",

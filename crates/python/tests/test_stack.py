@@ -64,8 +64,23 @@ def test_a_punch_on_a_stack(stack):
     assert contact.stiffness(2e-5) == sphere.stiffness(2e-5)
     pulled = contact.pull_off(0.04)
     assert pulled.load == pytest.approx(contact.stiffness(2e-5) * pulled.penetration, rel=1e-12)
-    with pytest.raises(cc.InputError, match="paraboloid or a flat punch only"):
+    with pytest.raises(cc.OutsideTableError, match="begins at a_over_t = 1.0"):
         stack.contact(probe=cc.Cone(half_angle=1.2), sphere_modulus=2e6, a_over_t=(1, 4))
+
+
+def test_a_cone_on_a_stack_of_one_film_is_that_on_the_film():
+    """The first is solved directly, the second is looked up."""
+    film = cc.Elastic(young_modulus=3.5e6, poisson_ratio=0.4)
+    substrate = cc.Elastic(young_modulus=2e9, poisson_ratio=0.3)
+    of_probe = {"probe": cc.Cone(half_angle=1.2), "sphere_modulus": inf}
+    system = cc.System(film=film, film_thickness=1e-5, substrate=substrate, **of_probe)
+    looked_up = cc.Table.embedded().contact(system)
+    halves = [cc.Layer(material=film, thickness=5e-6)] * 2
+    stack = cc.Stack(base=substrate, layers=halves)
+    solved = stack.contact(**of_probe, a_over_t=(1e-3, 10))
+    radii = np.geomspace(1e-7, 6e-5, 20)
+    of_stack = solved.load_and_penetration(radii, 0.04)
+    np.testing.assert_allclose(of_stack, looked_up.load_and_penetration(radii, 0.04), rtol=3e-6)
 
 
 def test_a_graded_film_has_the_solids_of_the_middles_of_its_layers():

@@ -20,6 +20,8 @@ pub(super) struct Medium {
     es: f64,
     /// The relative tolerance of the results.
     pub tolerance: f64,
+    /// The thickness of the film, or of the top layer, in units of that of all layers.
+    pub top: f64,
     /// The first node, and the numbers of the thick film there.
     first: f64,
     thick: Thick,
@@ -77,6 +79,7 @@ impl Medium {
         Ok(Self {
             es,
             tolerance: curve.tolerance().unwrap_or(FINE),
+            top: curve.stack().map_or(1.0, |stack| stack.top),
             first,
             thick: Thick {
                 alpha: es / at.eeq - 1.0 - u,

@@ -14,8 +14,8 @@ use crate::Error;
 /// The largest coefficients that are left out at the end, relative to the first ones, over the
 /// tolerance. The moments of a shape fall with the order, too.
 const ENOUGH: f64 = 1.0;
-/// The orders that every field needs, and those per root of the contact radius and per power of ten
-/// of the tolerance, for the boundary layer at the edge.
+/// The orders that every field needs, and those per root of the contact radius over the thickness of the film or top layer
+/// and per power of ten of the tolerance, for the boundary layer at the edge.
 const ORDERS: [f64; 2] = [5.0, 1.1];
 
 /// The part of the contact radius near the edge in which a polynomial of the highest order hardly
@@ -40,10 +40,10 @@ impl Modes {
     /// coefficients as the field `of`.
     pub(super) fn new(field: &Field, ends: [f64; 2], of: Option<&Self>) -> Result<Self, Error> {
         field.solve_to(ends[1])?;
-        let tolerance = field.medium.tolerance;
+        let (tolerance, a_over_top) = (field.medium.tolerance, ends[1] / field.medium.top);
         let orders = match of {
             Some(of) => of.at_points.len() as f64,
-            None => ORDERS[0] - ORDERS[1] * tolerance.log10() * ends[1].sqrt(),
+            None => ORDERS[0] - ORDERS[1] * tolerance.log10() * a_over_top.sqrt(),
         };
         let size = SIZES.partition_point(|&size| (size as f64) < orders);
         let (radii, size) = (points_on(ends), size.min(SIZES.len() - 1));

@@ -16,7 +16,7 @@ use crate::statistics::zero;
 /// those of other layers have their names.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
-    /// The shape of the probe. On layers it is [`Probe::Paraboloid`] or [`Probe::FlatPunch`].
+    /// The shape of the probe.
     pub probe: Probe,
     /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
     pub sphere_modulus: f64,

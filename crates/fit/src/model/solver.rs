@@ -29,6 +29,9 @@ const OVER_TOP: f64 = 300.0;
 /// slopes there are known.
 const MARGIN: f64 = 1.2;
 
+/// How far the curve of a shape that is integrated over it reaches, over the largest contact radius.
+const BEYOND: f64 = 1.5;
+
 /// The contact radius over `sqrt(R D)` that no contact is expected to exceed on the way `D`, the
 /// range of the penetrations or heights. Of a thin incompressible layer on a rigid base without
 /// adhesion it is 2; JKR's contact at the end of a pull to the pull-off has 1.5.
@@ -209,15 +212,18 @@ fn curve(bodies: &Bodies, stack: &Stack) -> Result<Curve, Error> {
     let Reach { needed, expected } = bodies.reach;
     Ok(match &bodies.solver {
         Solver::Direct => {
-            let [usual, most] =
-                [OVER_TOP, MOST_A_OVER_TOP].map(|over| stack.reach(over) * thickness);
+            let probe = &bodies.probe;
+            let is_integrated = !probe.is_paraboloid() && !probe.is_flat_punch();
+            let beyond = if is_integrated { BEYOND } else { 1.0 };
+            let reach = |over_top: f64| stack.reach(over_top) * thickness / beyond;
+            let [usual, most] = [OVER_TOP, MOST_A_OVER_TOP].map(reach);
             // What is needed holds a margin, which need not be solved.
             let end = needed
                 .min(most.max(needed / MARGIN))
                 .max(expected.min(usual));
             let range = [
                 (BEGIN * stack.top().thickness / thickness).max(A_OVER_T[0]),
-                end / thickness,
+                beyond * end / thickness,
             ];
             stack_curve(stack, bodies.sphere_modulus, range, TOLERANCE)?
         }

@@ -136,8 +136,8 @@ impl Curve {
     /// and the base.
     ///
     /// Its compressibility replaces the formula for one film, and the thickness of its top layer limits the zone of an
-    /// attraction of finite range. Nothing else that a contact answers needs more than the quantities, the material and
-    /// the thickness `t` of all layers. The curve has no expansions beyond its nodes, and answers only the quantities
+    /// attraction of finite range and the contact with which integrals over `a/t` begin. Nothing else that a contact
+    /// answers needs more than the quantities, the material and the thickness `t` of all layers. The curve has no expansions beyond its nodes, and answers only the quantities
     /// that it holds, because the expansions are those of one film.
     #[must_use]
     pub fn of_stack(self, stack: StackShape) -> Self {

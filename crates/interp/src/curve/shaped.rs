@@ -64,26 +64,20 @@ impl Curve {
     }
 
     /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
-    /// they give. On a stack of layers the expansion before the first node is not known.
+    /// they give. On a stack of layers, the thick film is the top layer.
     ///
     /// # Errors
-    /// [`Error::StackProbe`] on a stack of layers; [`Error::MissingQuantity`] unless the curve knows all
-    /// quantities; [`Error::BeginsTooLate`] if it begins at so large an `a/t` that the contact is not
-    /// that of a thick film there.
+    /// [`Error::MissingQuantity`] unless the curve knows all quantities; [`Error::BeginsTooLate`] if it begins at so
+    /// large an `a/t` that the contact is not that of a thick film there.
     pub fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
         /// The accuracy that is asked of a curve that does not state its own.
         const TOLERANCE: f64 = 1e-6;
         self.require_all()?;
-        if self.stack.is_some() {
-            return Err(Error::StackProbe);
-        }
-        let (from, tolerance) = (
-            self.range()[0],
-            self.accuracy
-                .map_or(TOLERANCE, |accuracy| accuracy.tolerance),
-        );
-        let estimate = if from <= LARGEST {
-            fifth_order(&self.material, from)
+        let from = self.range()[0];
+        let tolerance = self.tolerance().unwrap_or(TOLERANCE);
+        let over_top = from / self.stack.map_or(1.0, |stack| stack.top);
+        let estimate = if over_top <= LARGEST {
+            fifth_order(&self.material, over_top)
         } else {
             f64::INFINITY
         };

@@ -35,7 +35,8 @@ pub(crate) const LARGEST: f64 = 0.4;
 /// holds for every film, where an estimate from values at nodes may vanish by accident.
 ///
 /// The fourth power of the distance has the coefficient `1/(24 pi) int (X - 1) q^4 dq` in the
-/// kernel, between -0.37 and 0.56 for all Poisson ratios and all ratios of moduli. Its effect on
+/// kernel, between -0.37 and 0.56 for all Poisson ratios and all ratios of moduli, and whatever lies
+/// below the film: `X` is between those on a rigid substrate and on none. Its effect on
 /// `es/Gamma` is `6.4 x^5 es/e1` times that, `3.6 x^5 es/e1` at most; 4 allows for higher orders.
 pub(crate) fn fifth_order(material: &Material, a_over_t: f64) -> f64 {
     4.0 * a_over_t.powi(5) * material.sphere_film_modulus() / material.film_modulus()

@@ -311,14 +311,16 @@ class Stack(Native):
         Parameters
         ----------
         probe : Probe
-            The shape of the probe: a paraboloid or a flat punch.
+            The shape of the probe.
         sphere_radius : float
             In place of ``probe``: the radius R, m, of the paraboloid.
         sphere_modulus : float
             Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is a rigid one.
         a_over_t : tuple of float
             The smallest and the largest contact radius over the thickness of the stack. The
-            largest radius is up to 1000 times the thickness of the top layer.
+            largest radius is up to 1000 times the thickness of the top layer. Under another probe
+            than a paraboloid or a flat punch, the smallest one is a hundredth of that thickness or
+            below, and the largest one 1.5 times that of the contacts.
         tolerance : float
             The largest relative error of the quantities.
         """

@@ -81,8 +81,8 @@ class Table:
         """Look up the material of a system, and return its contact.
 
         In a table of one stack of layers the system is a StackSystem with the stack of the table.
-        Its probe is a paraboloid or a flat punch of any modulus in the table. Such a contact has no
-        derivatives, and nothing beyond the nodes in a/t.
+        The modulus of its probe is any in the table. Such a contact has no derivatives, and nothing
+        beyond the nodes in a/t.
         """
         return Contact(system=system, table=self)
 

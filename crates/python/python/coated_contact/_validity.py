@@ -37,7 +37,8 @@ class Validity(OneLine):
         The part by which the load at a given penetration falls if a sphere stands for its
         paraboloid, to the first order in ``(a/R)^2``; 0 for other probes. ``Sphere`` adds this
         effect. It is ``delta0/(10 R)`` on a half-space, and up to ten times as much on thin films.
-        On a stack it is that of the half-space.
+        With friction, and on a stack whose a/t begins at too large a value, it is that of the
+        half-space.
     sideways : float or numpy.ndarray
         The part by which the load at a given penetration rises because the surface moves sideways
         under the sloping probe, which the model neglects: ``3/(4 pi) (1 - 2 nu)/(1 - nu) a/R``
@@ -75,8 +76,9 @@ class Validity(OneLine):
         substrate that it bends as a plate. Under a cone on a film more than 150 times as stiff it
         touches the flank outside the disc; under a flat punch on one more than 20 times, and under
         another flat end on one more than 30 times as stiff, it lifts off inside. So does a layer
-        under a flat punch on layers that are less than a tenth as stiff. That is not modelled, and
-        the loads are wrong. None on a half-space.
+        under a flat punch on layers that are less than a tenth as stiff; under other probes layers
+        count as the film that bends as they do. That is not modelled, and the loads are wrong. None
+        on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
         ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),

@@ -11,7 +11,6 @@ fn advice(error: &Error) -> Option<&'static str> {
             Some("`generate` makes tables, and `solve` needs none")
         }
         Error::Normalisation { .. } => Some("the embedded table is `Table.embedded`"),
-        Error::StackProbe => Some("they are `Paraboloid` and `FlatPunch`"),
         Error::Foreign(_) => Some("`Table.open` reads HDF5, and `Table.read` packed tables"),
         Error::Version { .. } => Some("`generate` makes tables"),
         _ => None,
@@ -50,7 +49,7 @@ impl From<Error> for Failure {
             } => of("InputError")
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
-            Error::OtherProbe { .. } | Error::StackProbe => of("InputError"),
+            Error::OtherProbe { .. } => of("InputError"),
             Error::Profile { row, .. } => of("InputError").about("row", row as f64),
             Error::OutsideTable {
                 axis,

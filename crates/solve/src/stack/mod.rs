@@ -48,8 +48,8 @@
 //!
 //! [`contact::Contact`] answers for a stack all that it answers for a film: loads, equilibria,
 //! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare
-//! base. Four answers differ. The probe is a paraboloid or a flat punch: other shapes need the field of a punch
-//! from `a/t = 0` on, and are an error. A curve of a stack has no expansions beyond its ends and no
+//! base. Under another probe than a paraboloid or a flat punch the curve must begin at a small part of the thickness of
+//! the *top layer*, a hundredth or less. Three answers differ. A curve of a stack has no expansions beyond its ends and no
 //! derivatives with respect to the material: both are errors. The compressibility of `validity` is
 //! that of all layers ([`Stack::compressibility`]), and NaN where an interface is not bonded.
 //! `cohesive_zone` and `pull_off_error` demand that the cohesive zone be short beside the *top

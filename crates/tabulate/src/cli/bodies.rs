@@ -25,7 +25,7 @@ pub struct BodiesArguments {
     #[arg(
         long,
         value_name = "STACK.toml|TABLE",
-        help = format!("{}. It replaces film and substrate; the probe is a paraboloid or a flat punch", stack_file::HELP),
+        help = format!("{}. It replaces film and substrate", stack_file::HELP),
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
@@ -140,13 +140,6 @@ impl BodiesArguments {
                 (system, stack.map(|named| Layers { named, table: None }))
             }
         };
-        let probe = &system.probe;
-        ensure!(
-            stack.is_none() || probe.is_paraboloid() || probe.is_flat_punch(),
-            "--probe: layers that are not one bonded film are solved under a paraboloid or a flat punch, and not under a \
-             {}; choose --probe flat-punch, or leave --probe out",
-            probe.name()
-        );
         Ok(Bodies {
             system,
             stack,
@@ -156,6 +149,9 @@ impl BodiesArguments {
         })
     }
 }
+
+/// How far the curve of a shape that is integrated over it reaches, over the largest contact radius.
+pub const BEYOND: f64 = 1.5;
 
 /// Notes on standard error that contacts between two radii (m), with a work of adhesion (J/m^2), may be no discs.
 pub fn note_no_disc(contact: &Contact, radii: [f64; 2], work_of_adhesion: f64) {
@@ -189,9 +185,7 @@ impl Bodies {
                 "--probe sphere takes the shape of the sphere".to_owned()
             } else {
                 let limit = Validity::EXACT_SPHERE_A_OVER_R;
-                format!(
-                    "On one bonded film --probe sphere takes the shape of the sphere, up to {limit} R"
-                )
+                format!("--probe sphere takes the shape of the sphere, up to {limit} R")
             };
             note(&format!(
                 "{LARGE_CONTACT} The largest contact radius here is {:.3} R. {exact}, without friction and without \
@@ -271,15 +265,26 @@ impl Bodies {
         (0.9 * most).min((most * most - gap).max(0.01 * most * most).sqrt())
     }
 
-    /// Returns the contact radius (m) up to which layers are solved; infinite for one bonded film, and for a
+    /// Returns the contact radius (m) up to which the probe is solved on layers; infinite for one bonded film, and for a
     /// stack that is looked up.
     pub fn reach_of_layers(&self) -> f64 {
         match &self.stack {
             Some(Layers { named, table: None }) => {
-                named.stack.reach(MOST_A_OVER_TOP) * self.system.film_thickness
+                let reach = named.stack.reach(MOST_A_OVER_TOP) * self.system.film_thickness;
+                if self.is_integrated() {
+                    reach / BEYOND
+                } else {
+                    reach
+                }
             }
             _ => f64::INFINITY,
         }
+    }
+
+    /// Tells whether the shape of the probe is integrated over the curve.
+    pub fn is_integrated(&self) -> bool {
+        let probe = &self.system.probe;
+        !probe.is_paraboloid() && !probe.is_flat_punch()
     }
 
     /// Returns the thickness of the film, or of the top layer (m).

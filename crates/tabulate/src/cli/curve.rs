@@ -7,7 +7,7 @@ use clap::value_parser;
 use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
-use super::bodies::{Bodies, note_no_disc};
+use super::bodies::{BEYOND, Bodies, note_no_disc};
 use super::friction::{self, ContactArguments};
 use super::output::Output;
 use super::points::{evenly, number};
@@ -16,7 +16,6 @@ use super::quantity::{self, length};
 use super::table_name::TableName;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
-use solve::stack::MOST_A_OVER_TOP;
 use solve::{A_OVER_T, CURVE_TOLERANCE, solve};
 
 /// Print the force curve of one system as CSV, in SI units
@@ -247,15 +246,19 @@ impl<'a> States<'a> {
         const TOLERANCE: f64 = 1e-8;
         /// The smallest one of a curve of which the slopes are wanted, which lose digits to it.
         const LEAST_OF_SLOPES: f64 = 1e-10;
-        /// The largest `a/t` from which on a shape is integrated over the curve.
+        /// The largest contact radius, over the thickness of the film or top layer, from which on a shape is integrated
+        /// over the curve.
         const BEGIN: f64 = 1e-3;
-        /// How far the curve reaches beyond the largest contact, because the integrals do.
-        const BEYOND: f64 = 1.5;
         let given = &arguments.contact;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let over_thickness = |a: f64| a / system.film_thickness;
         let solved = |range, tolerance| bodies.contact(system, range, tolerance).map(Box::new);
+        let integrated = |top: f64| {
+            let [from, to] = [from, BEYOND * to].map(over_thickness);
+            let begin = from.min(BEGIN * top).max(A_OVER_T[0]);
+            [begin, to.max(10.0 * begin)]
+        };
         let mut work_of_adhesion = bodies.work_of_adhesion;
         let source = if let Some(nu2) = sticks {
             let history = &given.history;
@@ -281,12 +284,17 @@ impl<'a> States<'a> {
             let reach = bodies.reach_of_layers();
             ensure!(
                 to <= reach * (1.0 + f64::EPSILON),
-                "contact radius = {to:?} m: contacts with these layers are solved up to {MOST_A_OVER_TOP} times the \
+                "contact radius = {to:?} m: contacts of this probe with these layers are solved up to {:.0} times the \
                  thickness of the top layer; give --to, or the radius of a punch, of {reach:?} or less, or leave out a top \
-                 layer that is too thin to matter"
+                 layer that is too thin to matter",
+                reach / bodies.top_thickness()
             );
-            // The single radius of a punch is the end of a short curve.
-            let range = [from.min(0.9 * to), to].map(over_thickness);
+            let range = if bodies.is_integrated() {
+                integrated(layers.stack().shape().top)
+            } else {
+                // The single radius of a punch is the end of a short curve.
+                [from.min(0.9 * to), to].map(over_thickness)
+            };
             Source::Curve(solved(range, tolerance)?)
         } else if system.probe.is_paraboloid() {
             // Single solves reach a smaller one.
@@ -296,9 +304,7 @@ impl<'a> States<'a> {
             let slopes = (bodies.work_of_adhesion > 0.0).then(slopes);
             Source::Solves(slopes.transpose()?)
         } else {
-            let [from, to] = [from, to].map(over_thickness);
-            let begin = from.clamp(A_OVER_T[0], BEGIN);
-            Source::Curve(solved([begin, (BEYOND * to).max(10.0 * begin)], tolerance)?)
+            Source::Curve(solved(integrated(1.0), tolerance)?)
         };
         Ok(Self {
             source,

@@ -21,8 +21,8 @@ pub struct InterfaceArguments {
     ///
     /// A film that slides has no friction on its substrate, as on a lubricant. It is held by
     /// tension where it would rise: a dry film that lifts off is not modelled. It is solved
-    /// directly, up to a/t of 1000 and under a paraboloid or a flat punch, and fits call it the layer `film`:
-    /// film.modulus, film.thickness. --stack names the interfaces of several layers.
+    /// directly, up to a/t of 1000, and fits call it the layer `film`: film.modulus,
+    /// film.thickness. --stack names the interfaces of several layers.
     #[arg(long, value_enum, conflicts_with_all = NO_FILM, conflicts_with = "interface_stiffness")]
     interface: Option<Word>,
     /// Springs between film and substrate, Pa/m: the tangential stiffness, and optionally the normal

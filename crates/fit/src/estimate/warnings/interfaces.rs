@@ -1,7 +1,6 @@
 //! Doubts about interfaces: stiffnesses that the data only bound, and films that are taken as
 //! bonded.
 
-use interp::Probe;
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
 
@@ -95,20 +94,13 @@ fn assumes_bonding(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty
         let Some(factor) = if_sliding(bodies, parameter, problem.value(slot), over_top) else {
             continue;
         };
-        let step = if matches!(
-            bodies.probe,
-            Probe::Paraboloid { .. } | Probe::FlatPunch { .. }
-        ) {
-            "a fit as a film that slides tells what changes here, if it may slide"
-        } else {
-            "a film that may slide is fitted under a paraboloid or a flat punch only"
-        };
         let change = (factor - 1.0).abs();
         if change > LEAST.max(uncertainty.relative_error(slot)) {
             warnings.push(WarningKind::AssumesBonding.with(format!(
                 "{parameter} takes the film as bonded to what lies below it: if it slid, the \
                  stiffness of a contact of {over_top:.2} times the thickness of the film would need \
-                 a modulus {factor:.3} times as large, which is more than the standard error; {step}"
+                 a modulus {factor:.3} times as large, which is more than the standard error; a fit as a film that \
+                 slides tells what changes here, if it may slide"
             )));
         }
     }

@@ -324,14 +324,14 @@ fn is_one_body(stack: &Stack) -> bool {
 fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contact> {
     /// The relative tolerances of the solves: the second one where the first is out of reach.
     const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
-    /// The smallest `a/t`, over the largest one.
+    /// The smallest contact radius, over the largest one or the thickness of the film or top layer.
     const BEGIN: f64 = 1e-4;
     // The contact of a flat end is the first one.
     let [end, _] = system
         .probe
         .contact_radii()
         .map(|a| a / system.film_thickness);
-    let begin = BEGIN * reach.min(1.0);
+    let begin = BEGIN * reach.min(bodies.top_thickness() / system.film_thickness);
     let begin = if end > 0.0 { begin.min(end) } else { begin };
     let range = [begin, reach];
     let [first, second] = TOLERANCES;
