@@ -181,6 +181,25 @@ fn a_cone_on_layers_is_solved_and_fitted() {
     }
 }
 
+/// A stiff skin on a soft layer on a rigid base: beside all layers its bending would be small.
+#[test]
+fn a_skin_that_is_pressed_down_by_more_than_its_thickness_is_told_of() {
+    let workdir = workdir!();
+    let skin = "base = { young_modulus = inf }\n\
+        [[layers]]\nyoung_modulus = 1e4\npoisson_ratio = 0.45\nthickness = 1e-5\n\
+        [[layers]]\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nthickness = 1e-7\n";
+    workdir.write("stack.toml", skin);
+    let bodies =
+        "--stack stack.toml --sphere-radius 50um --sphere-modulus inf --work-of-adhesion 0";
+    let curve =
+        |to: &str| workdir.answer(format!("curve {bodies} --from 10nm --points 2 --to {to}"));
+    assert_names(
+        &curve("10um").stderr,
+        "press the film or top layer; down by 2.77 of its thickness",
+    );
+    assert!(!curve("50nm").stderr.contains("down by"));
+}
+
 #[test]
 fn the_report_lists_the_layers() {
     let workdir = workdir!();

@@ -98,7 +98,8 @@ pub struct FilmValidity {
     pub in_range: bool,
     /// The part of its thickness by which the contact without adhesion bends a film that is stiffer than its
     /// substrate, `(delta0/t) (1 - S0/S)`, with `S0` as above; 0 for a softer film, and where the curve does not
-    /// cover `a/t`. A film that is bent is stretched, too, and the model
+    /// cover `a/t`. Of a stack the top layer bends: `t` is its thickness, and `S0` what a plate needs below it to be as
+    /// compliant as the layers, which for one film gives the same number to a tenth up to `a = 5 t`. A film that is bent is stretched, too, and the model
     /// leaves out that this stiffens it: by the part `0.44 (w/t)^2` a clamped plate whose middle is pressed down by `w`
     /// (Timoshenko and Woinowsky-Krieger, *Theory of Plates and Shells*, 1959).
     pub bending: f64,
@@ -120,6 +121,11 @@ pub struct FilmValidity {
     /// a disc, and that of a sphere errs by 2e-4 at most.
     pub no_disc: bool,
 }
+
+/// The compliance of a plate on a half-space under a flat punch that is small beside the bending length, over that of a
+/// half-space of the plate and over the product of the radius and the square of the bending length, in units of the
+/// thickness: `8/sqrt(3)`.
+const OF_PLATE: f64 = 4.62;
 
 impl Validity {
     /// The `a/R` at which the paraboloid begins to matter, by 0.3 % of the penetration.
@@ -244,13 +250,14 @@ impl Contact {
                     stiffer => stiffer,
                 };
                 let strain = finite_result(a, without * compressed / t)?;
-                let bending = match of_film {
-                    stiffer if stiffer < 0.0 => finite_result(
-                        a,
-                        without * stiffer / (stiffer - 1.0) / system.film_thickness,
-                    )?,
+                let bending = match (curve.stack(), of_film) {
+                    (Some(stack), _) => {
+                        without / (stack.top * t) * self.bent_part(a, a_over_t / stack.top, system)
+                    }
+                    (None, stiffer) if stiffer < 0.0 => without * stiffer / (stiffer - 1.0) / t,
                     _ => 0.0,
                 };
+                let bending = finite_result(a, bending)?;
                 let [from, to] = curve.range();
                 let in_range = (from..=to).contains(&a_over_t);
                 Some(FilmValidity {
@@ -384,7 +391,6 @@ impl Contact {
     /// with `D = E1* t^3/12`, under a punch that is wider than `l` by that of the half-space, and in between by about the
     /// harmonic mean.
     fn bending_length(&self, a: f64, a_over_top: f64, system: &System) -> f64 {
-        const OF_PLATE: f64 = 4.62; // 8/sqrt(3)
         let more = self.compliance_of_layers(a, system) - 1.0;
         if more.is_nan() || more <= 0.0 {
             return 0.0;
@@ -394,6 +400,20 @@ impl Contact {
         (0..20).fold(of_plate.sqrt(), |length, _| {
             (of_plate * (1.0 + of_half_space / length)).sqrt()
         })
+    }
+
+    /// Returns `1 - S0/S` of a top layer of the thickness `t` that bends as layers do, with the stiffness `S0` of what lies
+    /// below it.
+    fn bent_part(&self, a: f64, a_over_top: f64, system: &System) -> f64 {
+        let length = self.bending_length(a, a_over_top, system);
+        let below = 6.0 * length.powi(3);
+        let of_probe = system.film.reduced() / system.sphere_modulus;
+        let of_plate = OF_PLATE * a_over_top * length * length;
+        if below > 0.0 {
+            below / (below + of_plate) * below / (1.0 + below + of_probe)
+        } else {
+            0.0
+        }
     }
 
     /// Returns [`Validity::shape`] of a sphere on a film; `None` where it is not known.
