@@ -66,8 +66,8 @@ class Validity(OneLine):
         model is linear. Negative where the substrate is softer than the film; None on a half-space.
     bending : float, numpy.ndarray or None
         The part of its thickness by which the contact without adhesion bends a film, or top layer,
-        that is stiffer than what lies below it; 0 for a softer one. It is stretched then, too, which stiffens it and is
-        left out. None on a half-space.
+        that is stiffer than what lies below it; 0 for a softer one. It is stretched then, too,
+        which stiffens it and is left out. None on a half-space.
     in_range : bool, numpy.ndarray or None
         Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
         there is an error. None on a half-space.

@@ -60,7 +60,9 @@ mod tests {
             .expect("sound");
         let mut refused = Vec::new();
         for (column, name) in sound[0].iter().enumerate() {
-            for value in ["0", "inf", "-1", "1e300", "NaN"] {
+            let is_number = sound[2][column].parse::<f64>().is_ok();
+            let values = ["0", "inf", "-1", "1e300", "NaN"];
+            for value in values.into_iter().take(if is_number { 5 } else { 1 }) {
                 let mut writer = csv::Writer::from_writer(Vec::new());
                 for (i, record) in sound.iter().enumerate() {
                     let field = |(k, field)| if (i, k) == (2, column) { value } else { field };
