@@ -98,10 +98,13 @@ pub struct FilmValidity {
     pub in_range: bool,
     /// The part of its thickness by which the contact without adhesion bends a film that is stiffer than its
     /// substrate, `(delta0/t) (1 - S0/S)`, with `S0` as above; 0 for a softer film, and where the curve does not
-    /// cover `a/t`. Of a stack the top layer bends: `t` is its thickness, and `S0` what a plate needs below it to be as
-    /// compliant as the layers, which for one film gives the same number to a tenth up to `a = 5 t`. A film that is bent is stretched, too, and the model
-    /// leaves out that this stiffens it: by the part `0.44 (w/t)^2` a clamped plate whose middle is pressed down by `w`
-    /// (Timoshenko and Woinowsky-Krieger, *Theory of Plates and Shells*, 1959).
+    /// cover `a/t`. A film that is bent is stretched, too, and the model leaves out that this stiffens it: by the part
+    /// `0.44 (w/t)^2` a clamped plate whose middle is pressed down by `w` (Timoshenko and Woinowsky-Krieger, *Theory of
+    /// Plates and Shells*, 1959).
+    ///
+    /// Of a stack the top layer bends. `t` is its thickness, and `S0` is the stiffness of the half-space on which it would
+    /// be as compliant as these layers; for one film this gives the same number to a tenth up to `a = 5 t`. With the bending
+    /// length `l` (see below), it is 0 where `a` is above `4 l` and `l` below `3 t`: the thin layers of a graded film are no plates.
     pub bending: f64,
     /// Whether the contact without adhesion may be no disc, so that the loads are wrong: the film is so much stiffer than
     /// the substrate that it bends as a plate. With the bending length `l = t (E1*/(6 E0*))^{1/3}`:
@@ -409,7 +412,8 @@ impl Contact {
         let below = 6.0 * length.powi(3);
         let of_probe = system.film.reduced() / system.sphere_modulus;
         let of_plate = OF_PLATE * a_over_top * length * length;
-        if below > 0.0 {
+        let is_plate = a_over_top < 4.0 * length || length > 3.0;
+        if is_plate {
             below / (below + of_plate) * below / (1.0 + below + of_probe)
         } else {
             0.0

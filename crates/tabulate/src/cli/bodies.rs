@@ -170,8 +170,9 @@ pub fn note_no_disc(contact: &Contact, radii: [f64; 2], work_of_adhesion: f64) {
         ]
     };
     note(&format!(
-        "From a contact radius of about {a:.2e} m on, {which} may be no disc: the film or top layer is so much stiffer than what lies below \
-         it that it bends{how}. This is not modelled, and the loads may be wrong. Under a paraboloid and a sphere it is a disc."
+        "From a contact radius of about {a:.2e} m on, {which} may be no disc: the film or top layer is so much stiffer than \
+         what lies below it that it bends{how}. This is not modelled, and the loads may be wrong. Under a paraboloid and a \
+         sphere it is a disc."
     ));
 }
 
@@ -238,8 +239,9 @@ impl Bodies {
         };
         if film.bending > Validity::WARNING_BENDING {
             note(&format!(
-                "The model is linear. Without adhesion, a contact of radius {a:.3e} m would press the film or top layer, which is stiffer \
-                 than what lies below it, down by {:.2} of its thickness. It is then also stretched, which makes it stiffer and is left out.",
+                "The model is linear. Without adhesion, a contact of radius {a:.3e} m would press the film or top layer, which is \
+                 stiffer than what lies below it, down by {:.2} of its thickness. It is then also stretched, which makes it \
+                 stiffer and is left out.",
                 film.bending
             ));
         }

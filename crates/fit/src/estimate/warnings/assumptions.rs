@@ -177,15 +177,15 @@ fn film(
     }
     if let Some(film) = film.filter(|film| film.bending > Validity::WARNING_BENDING) {
         warnings.push(WarningKind::Bending.with(format!(
-            "{name}: the film or top layer, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
-             It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
+            "{name}: the film or top layer, which is stiffer than what lies below it, is pressed down by up to {:.2} of its \
+             thickness. It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
             film.bending
         )));
     }
     if let Some(a) = contact.first_no_disc(radii, 0.0) {
         warnings.push(WarningKind::NoDisc.with(format!(
-            "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film or top layer is so much stiffer than what \
-             lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
+            "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film or top layer is so much stiffer than \
+             what lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
              or measure with a sphere"
         )));
     }
