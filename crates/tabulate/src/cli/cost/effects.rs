@@ -16,7 +16,7 @@ use cost::clock::Timing;
 use cost::effects::{Row, markdown};
 
 const TOLERANCE: f64 = 1e-4;
-const POINTS: u32 = 10_000;
+const POINTS: u32 = 2_000;
 
 /// Measure effects: the cost of each, and the error of the load without it
 ///
