@@ -181,7 +181,8 @@ fn compare(args: &[&str]) -> Result<(), String> {
         "--config",
         "profile.bench.package.coated-contact-tabulate.codegen-units=16",
     ];
-    let profile: &[&str] = if args.is_empty() { &FAIR } else { &[] };
+    const AS_TESTS: [&str; 2] = ["--profile", "release"];
+    let profile: &[&str] = if args.is_empty() { &FAIR } else { &AS_TESTS };
     let bench = [
         "bench",
         "--workspace",
