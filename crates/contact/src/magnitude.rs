@@ -15,7 +15,15 @@ pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
 /// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
 pub const LARGEST_WORK: f64 = 20.0;
 
-/// The height of a measured profile over its largest radius above which one of their units is probably wrong:
+/// The stiffnesses of cantilevers and load cells, N/m.
+pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
+
+/// The radii of the narrowest and of the widest contact, m.
+const CONTACTS: [f64; 2] = [1e-9, 1e-2];
+/// The smallest slope at the edge of the widest contact: that of a sphere of 0.2 m, or of a cone with a half angle of 87
+/// degrees.
+const FLATTEST: f64 = 0.05;
+/// The height of a measured profile over its largest radius, and the slope at the edge of the narrowest contact, above which one of their units is probably wrong:
 /// that of a cone with a half angle of 1 degree.
 const STEEPEST: f64 = 57.0;
 
@@ -113,10 +121,58 @@ impl Magnitude {
             radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
             width,
             height,
+            Self::coefficient(probe),
             Self::modulus("the sphere's modulus", sphere_modulus),
             Self::work_of_adhesion("the work of adhesion", work_of_adhesion),
         ];
         found.into_iter().flatten()
+    }
+
+    /// Checks the coefficient of a power law by the slopes at the edges of contacts.
+    fn coefficient(probe: &Probe) -> Option<Self> {
+        let &Probe::PowerLaw {
+            coefficient,
+            exponent,
+        } = probe
+        else {
+            return None;
+        };
+        let [narrow, wide] = CONTACTS.map(|a| [a, probe.slope(a)]);
+        let ([a, slope], which) = if wide[1] < FLATTEST {
+            (wide, "flatter")
+        } else if narrow[1] > STEEPEST {
+            (narrow, "steeper")
+        } else {
+            return None;
+        };
+        let slope = short(slope);
+        let mut reason = format!(
+            "makes a slope of {slope} at a radius of {a} m, {which} than any probe: r and c r^n are in m"
+        );
+        if which == "flatter" {
+            let [um, nm] =
+                [1e6_f64, 1e9].map(|unit| short(coefficient * unit.powf(exponent - 1.0)));
+            reason +=
+                &format!("; with both in um it is {um} m^(1-n), with both in nm {nm} m^(1-n)");
+        }
+        Some(Self {
+            what: "the coefficient of the power law".into(),
+            value: coefficient,
+            unit: "m^(1-n)",
+            reason: reason.into(),
+        })
+    }
+
+    /// Checks the stiffness of a cantilever or a load cell, N/m.
+    pub fn stiffness(value: f64) -> Option<Self> {
+        let [least, most] = STIFFNESSES;
+        let outside = value > 0.0 && !(least..=most).contains(&value);
+        outside.then(|| Self {
+            what: "the stiffness".into(),
+            value,
+            unit: "N/m",
+            reason: format!("is outside {least:e} to {most:e} N/m: check its unit").into(),
+        })
     }
 
     /// Checks the height of a measured profile over its largest radius.
@@ -243,5 +299,48 @@ mod tests {
             radii.map(|r| [r, unit * r * r / 2e-5]).collect()
         };
         assert_eq!([1.0, 1e3].map(|unit| found(&paraboloid(unit))), [0, 1]);
+    }
+
+    /// Spheres of 1 nm to 0.1 m, a rounded pyramid and a blunt tip pass. Coefficients in um do not, nor do ones beyond all
+    /// units.
+    #[test]
+    fn power_laws_are_judged_by_their_slopes() {
+        let found = |coefficient: f64, exponent: f64| {
+            let probe = Probe::PowerLaw {
+                coefficient,
+                exponent,
+            };
+            Magnitude::of_probe(&probe, 1e6, 0.04)
+                .map(|found| found.to_string())
+                .collect::<Vec<_>>()
+        };
+        for (coefficient, exponent) in [
+            (5.0, 2.0),
+            (5e8, 2.0),
+            (0.1, 1.05),
+            (1e3, 1.5),
+            (1e10, 3.0),
+            (1e110, 20.0),
+        ] {
+            assert_eq!(
+                found(coefficient, exponent),
+                [""; 0],
+                "{coefficient} {exponent}"
+            );
+        }
+        assert_eq!(
+            found(0.01, 3.0),
+            [
+                "the coefficient of the power law = 0.01 m^(1-n) makes a slope of 3e-6 at a radius of 0.01 m, flatter than any \
+              probe: r and c r^n are in m; with both in um it is 1e10 m^(1-n), with both in nm 1e16 m^(1-n)"
+            ]
+        );
+        for (coefficient, exponent) in [(0.05, 2.0), (1e300, 3.0)] {
+            assert_eq!(
+                found(coefficient, exponent).len(),
+                1,
+                "{coefficient} {exponent}"
+            );
+        }
     }
 }

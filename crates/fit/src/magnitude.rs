@@ -11,8 +11,6 @@ use crate::estimate::UNDETERMINED;
 use crate::statistics::range;
 use crate::{Bodies, Estimate, Experiment, Fit, Kind};
 
-/// The stiffnesses of cantilevers and load cells, N/m.
-pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
 /// The largest load, N.
 const LARGEST_LOAD: f64 = 1e5;
 /// The contact radius over that of the sphere from which on the sphere is no paraboloid at all.
@@ -48,11 +46,7 @@ impl Experiment {
         let mut found = self.bodies.magnitudes(self.work_of_adhesion);
         let receding = self.work_of_adhesion_receding;
         found.extend(receding.and_then(Magnitude::work_of_adhesion_receding));
-        let [least, most] = STIFFNESSES;
-        if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
-            let reason = format!("is outside {least:e} to {most:e} N/m: check its unit");
-            found.push(magnitude("the stiffness", value, "N/m", reason));
-        }
+        found.extend(self.stiffness.and_then(Magnitude::stiffness));
         self.ranges(&mut found);
         found.extend(self.wide_contacts());
         found

@@ -2,10 +2,12 @@
 
 use anyhow::{Context as _, anyhow, bail, ensure};
 use clap::ValueEnum;
+use contact::magnitude::Magnitude;
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
 use interp::Error::{BeyondProbe, BeyondSphere, OutsideTable};
 use interp::Table;
 
+use super::allow;
 use super::bodies::Bodies;
 use super::friction::{self, ContactArguments};
 use super::points::number;
@@ -131,6 +133,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let receding = given.history.work_of_adhesion_receding;
     given.bodies.check(&bodies, receding)?;
+    let stiffness = arguments.stiffness.and_then(Magnitude::stiffness);
+    allow::magnitudes(stiffness.as_slice(), &given.bodies.allow)?;
     let (contact, state) = pull_off(arguments, table, &bodies, control)?;
     let of_state = [
         ("load", state.load),

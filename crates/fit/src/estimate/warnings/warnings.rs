@@ -2,7 +2,7 @@
 
 use contact::LawParameter;
 use contact::Validity;
-use contact::magnitude::LARGEST_WORK;
+use contact::magnitude::{LARGEST_WORK, STIFFNESSES};
 
 use super::agreement;
 use super::assumptions;
@@ -27,7 +27,7 @@ use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::uncertainty::{UNDETERMINED, Uncertainty};
 use crate::estimate::problem::{Ending, Problem};
 use crate::estimate::relaxing;
-use crate::magnitude::{self, STIFFNESSES};
+use crate::magnitude;
 use crate::statistics::{BEYOND_CHANCE, extremes};
 use crate::{
     Combination, Estimate, Experiment, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter,
