@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use ::solve::stack::{Interface, Layer, Stack};
 use ::solve::stick::Sticking;
+use contact::magnitude::Magnitude;
 use interp::{Elastic, Error, HalfSpace, Probe, System};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -123,6 +124,35 @@ impl NativeCoated {
         let named = Some(named);
         Ok(Self { system, named })
     }
+
+    /// Names what no contact has of the bodies.
+    fn magnitudes(&self) -> Vec<String> {
+        let Some(stack) = self.stack() else {
+            return texts(Magnitude::of_system(&self.system, 0.0));
+        };
+        let System {
+            probe,
+            sphere_modulus,
+            ..
+        } = &self.system;
+        let layers = stack.layers().iter();
+        let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
+        let base = stack.base().young();
+        texts(Magnitude::of_layered(probe, *sphere_modulus, base, layers, 0.0))
+    }
+}
+
+fn texts(found: impl IntoIterator<Item = Magnitude>) -> Vec<String> {
+    found.into_iter().map(|one| one.to_string()).collect()
+}
+
+/// Names a work of adhesion that no contact has.
+#[pyfunction]
+pub fn magnitudes_of_work(work_of_adhesion: f64) -> Vec<String> {
+    texts(Magnitude::work_of_adhesion(
+        "the work of adhesion",
+        work_of_adhesion,
+    ))
 }
 
 #[pymethods]
@@ -149,6 +179,11 @@ impl NativeHalfSpace {
     fn compound_modulus(&self, py: Python<'_>) -> PyResult<f64> {
         let modulus = self.0.compound_modulus();
         modulus.or_raise(py)
+    }
+
+    /// Names what no contact has of the bodies.
+    fn magnitudes(&self) -> Vec<String> {
+        texts(Magnitude::of_half_space(&self.0, 0.0))
     }
 }
 

@@ -37,7 +37,8 @@ use pyo3::prelude::*;
 mod _core {
     #[pymodule_export]
     use super::bodies::{
-        NativeCoated, NativeHalfSpace, NativeProbe, NativeStack, check_elastic, read_stack,
+        NativeCoated, NativeHalfSpace, NativeProbe, NativeStack, check_elastic, magnitudes_of_work,
+        read_stack,
     };
     #[pymodule_export]
     use super::cohesive::Cohesive;

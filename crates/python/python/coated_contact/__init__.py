@@ -62,6 +62,7 @@ from ._history import HistoryStates, Relaxation
 from ._indentation import Indentation
 from ._likelihood import LogLikelihood, log_likelihood
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
+from ._magnitudes import MagnitudeWarning
 from ._model import Prediction, branches, forecast, predict, simulate
 from ._probe import (
     Cone,
@@ -130,6 +131,7 @@ __all__ = [
     "Jump",
     "Layer",
     "LogLikelihood",
+    "MagnitudeWarning",
     "NoContactError",
     "OutsideTableError",
     "Paraboloid",

@@ -15,6 +15,7 @@ from numpy import ma
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import ContactError, InputError
+from ._magnitudes import warn_of_work
 
 Errors = Literal["raise", "nan"]
 # The units that datasets of this package and others name, and that need no factor, by the unit of
@@ -31,7 +32,13 @@ SI = {
     "others": ("rad", "radian", "radians", "V", "volt", "volts", "Hz", "hertz", "m^2", "m2"),
 }
 # The unit of an argument by the last word of its name, where nobody states it.
-UNIT_OF = {"radius": "m", "thickness": "m", "penetration": "m", "height": "m", "modulus": "Pa"}
+UNIT_OF: dict[str, str] = {
+    "radius": "m",
+    "thickness": "m",
+    "penetration": "m",
+    "height": "m",
+    "modulus": "Pa",
+}
 UNIT_OF |= {"load": "N", "adhesion": "N/m or J/m^2", "time": "s"}
 
 
@@ -142,6 +149,9 @@ def evaluate_flat(
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     arrays = [real(name, value) for name, value in inputs.items()]
     paired(inputs)
+    if "work_of_adhesion" in inputs:
+        work = arrays[list(inputs).index("work_of_adhesion")]
+        warn_of_work(work.max(initial=0.0))
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     flat = [
         array.reshape(1)

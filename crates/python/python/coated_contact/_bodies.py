@@ -6,6 +6,7 @@ from dataclasses import InitVar, dataclass
 from typing import Any, final
 
 from . import _core
+from ._magnitudes import warn_of
 from ._probe import Paraboloid, Probe, Sphere, probe_of, with_radius
 from ._values import Native, set_field, set_number, set_numbers
 
@@ -55,6 +56,8 @@ class Elastic:
 class UnderProbe(Native):
     """What ``System``, ``HalfSpace`` and ``StackSystem`` have in common: the probe.
 
+    A length or a modulus that no contact has is warned of, see ``MagnitudeWarning``.
+
     ``dataclasses.replace(system, sphere_radius=R)`` gives the sphere or the paraboloid of the
     system another radius.
     """
@@ -87,6 +90,11 @@ class UnderProbe(Native):
         chosen = probe_of(probe, sphere_radius)
         set_field(self, "probe", chosen)
         return chosen._native, set_number(self, "sphere_modulus", sphere_modulus)
+
+    def _set_native(self, native: Any) -> None:
+        """Set the native part, and warn of what no contact has."""
+        set_field(self, "_native", native)
+        warn_of(native.magnitudes())
 
 
 @final
@@ -150,7 +158,7 @@ class System(UnderProbe):
         film_thickness = set_number(self, "film_thickness", film_thickness)
         set_field(self, "substrate", substrate)
         native = _core.Coated(*touching, film._numbers(), film_thickness, substrate._numbers())
-        set_field(self, "_native", native)
+        self._set_native(native)
 
     def without_film(self) -> HalfSpace:
         """Return the probe of this system on the bare substrate."""
@@ -194,7 +202,7 @@ class HalfSpace(UnderProbe):
         check_solid("solid", solid)
         touching = self._set_probe(probe, sphere_radius, sphere_modulus, _replaced)
         set_field(self, "solid", solid)
-        set_field(self, "_native", _core.HalfSpace(*touching, solid._numbers()))
+        self._set_native(_core.HalfSpace(*touching, solid._numbers()))
 
     @property
     def compound_modulus(self) -> float:

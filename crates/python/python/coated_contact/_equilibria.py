@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ._arrays import Errors, evaluate, number
 from ._control import Control, native_control
+from ._magnitudes import warn_of_work
 from ._results import Equilibrium, ForceDisplacement, Jump, State, States, states
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ class Equilibria:
         w = number("work of adhesion", self.work_of_adhesion)
         object.__setattr__(self, "work_of_adhesion", w)
         self._native.check_equilibria(w, native_control(self.control))
+        warn_of_work(w)
 
     @property
     def _native(self) -> Any:

@@ -378,4 +378,4 @@ class StackSystem(UnderProbe):
             raise TypeError(f"stack must be a Stack, not {type(stack).__name__}")
         touching = self._set_probe(probe, sphere_radius, sphere_modulus, _replaced)
         set_field(self, "stack", stack)
-        set_field(self, "_native", _core.Coated.on_layers(*touching, stack._native))
+        self._set_native(_core.Coated.on_layers(*touching, stack._native))

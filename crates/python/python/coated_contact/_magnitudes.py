@@ -1,0 +1,33 @@
+"""Numbers that no contact experiment has: a unit was probably wrong, and a warning says so."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterable
+
+from . import _core
+
+
+class MagnitudeWarning(UserWarning):
+    """A length, a modulus or a work of adhesion that no contact experiment has.
+
+    All numbers are in SI units. Where such a number is meant, as in units of one's own,
+    ``warnings.simplefilter("ignore", MagnitudeWarning)`` turns the warning off. A fit refuses these
+    numbers unless ``allow=("magnitudes",)`` is given.
+    """
+
+
+def warn_of(found: Iterable[str]) -> None:
+    """Warn of what was found, at the line that called this package."""
+    for text in found:
+        level, frame = 1, sys._getframe()
+        # `dataclasses.replace` makes another one.
+        while frame.f_back and frame.f_globals["__name__"].startswith((__package__, "dataclasses")):
+            level, frame = level + 1, frame.f_back
+        warnings.warn(f"{text}; all numbers are in SI units", MagnitudeWarning, stacklevel=level)
+
+
+def warn_of_work(work_of_adhesion: float) -> None:
+    """Warn of a work of adhesion, J/m^2, that no two solids have."""
+    warn_of(_core.magnitudes_of_work(work_of_adhesion))
