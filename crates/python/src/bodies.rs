@@ -138,7 +138,13 @@ impl NativeCoated {
         let layers = stack.layers().iter();
         let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
         let base = stack.base().young();
-        texts(Magnitude::of_layered(probe, *sphere_modulus, base, layers, 0.0))
+        texts(Magnitude::of_layered(
+            probe,
+            *sphere_modulus,
+            base,
+            layers,
+            0.0,
+        ))
     }
 }
 

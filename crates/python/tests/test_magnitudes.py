@@ -44,6 +44,15 @@ CASES = {
     ),
     "mJ/m^2 of a pull-off": (lambda: CONTACT.pull_off(40.0), ["= 40 J/m^2 is above 20"]),
     "mJ/m^2 of equilibria": (lambda: CONTACT.equilibria(40.0), ["= 40 J/m^2 is above 20"]),
+    "mJ/m^2 of a line": (lambda: cc.Hysteresis(advancing=30.0, receding=40.0), ["= 40 J/m^2"]),
+    "mJ/m^2 with a range": (
+        lambda: cc.Cohesive(system=CONTACT.system, work_of_adhesion=40.0, interaction_range=1e-9),
+        ["= 40 J/m^2 is above 20"],
+    ),
+    "mJ/m^2 with a stress": (
+        lambda: CONTACT.cohesive_zone(40.0, stress=1e13),
+        ["= 40 J/m^2 is above 20"],
+    ),
 }
 
 

@@ -14,6 +14,7 @@ from ._arrays import Errors, evaluate, integer, located, number, real, scalar_or
 from ._bodies import System
 from ._columns import Array
 from ._control import Control, native_control
+from ._magnitudes import warn_of_work
 from ._results import CohesiveState, CohesiveStates, cohesive_states
 from ._stack import StackSystem
 from ._values import Native, set_field, set_numbers
@@ -62,6 +63,7 @@ class Cohesive(Native):
         set_numbers(self, "work_of_adhesion", "interaction_range")
         native = _core.Cohesive(self.system._native, self.work_of_adhesion, self.interaction_range)
         set_field(self, "_native", native)
+        warn_of_work(self.work_of_adhesion)
 
     @overload
     def state(self, a: float, *, errors: Errors = "raise") -> CohesiveState: ...

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Errors, evaluate, number
 from ._control import Control, native_control
+from ._magnitudes import warn_of_work
 from ._results import (
     CohesiveEquilibrium,
     CohesiveState,
@@ -72,6 +73,7 @@ class ShortZone:
     def __post_init__(self) -> None:
         set_numbers(self, "work_of_adhesion", "stress")
         _core.zone_length(*self._native)
+        warn_of_work(self.work_of_adhesion)
 
     @property
     def _native(self) -> tuple[Any, tuple[float, float]]:

@@ -13,6 +13,7 @@ from ._columns import Array, TimedColumns
 from ._contact import Contact
 from ._control import Control, native_control
 from ._errors import InputError
+from ._magnitudes import warn_of_work
 from ._results import State
 from ._values import set_numbers
 
@@ -45,6 +46,7 @@ class Hysteresis:
                 range=(self.advancing, np.inf),
             )
         _core.check_law(self._numbers())
+        warn_of_work(self.receding)
 
     def _numbers(self) -> tuple[Any, ...]:
         return (self.advancing, self.receding, None)
