@@ -30,7 +30,7 @@ impl Timing {
     }
 
     /// Returns the time of one call over that of another. Both are made with each of `items` in
-    /// turn, for 0.05 s a round, in turns with each other, and the fastest of ten rounds count.
+    /// turn, for 0.02 s a round, in turns with each other, and the fastest of ten rounds count.
     /// Before that, each is made once with every item.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl Timing {
     where
         E: From<EA> + From<EB>,
     {
-        const SECONDS: f64 = 0.05;
+        const SECONDS: f64 = 0.02;
         const ROUNDS: usize = 10;
         for item in items {
             one(item)?;
