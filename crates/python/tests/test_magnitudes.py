@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import coated_contact as cc
-from conftest import make_system
+from conftest import loads_at, make_system
 
 GEL = cc.Elastic(young_modulus=1e4, poisson_ratio=0.45)
 STEEL = cc.Elastic(young_modulus=2e14, poisson_ratio=0.3)
@@ -75,3 +75,16 @@ def test_what_experiments_have_is_not_warned_of():
             make_system(sphere_radius=radius, film_thickness=radius)
         CONTACT.load(5e-5, [0.0, 0.04, 12.0])
         CONTACT.load([], [])
+
+
+def test_the_trials_of_another_program_are_not_warned_of():
+    pytest.importorskip("lmfit")
+    from coated_contact.lmfit import with_values
+
+    experiment = loads_at(make_system(), np.linspace(4e-5, 1.2e-4, 30), noise=2e-6)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        trial = with_values(experiment, {"sphere_modulus": 1e14, "film_thickness": 10.0})
+    assert (trial.system.sphere_modulus, trial.system.film_thickness) == (1e14, 10.0)
+    with pytest.warns(cc.MagnitudeWarning):
+        replace(trial.system, film_thickness=20.0)

@@ -20,6 +20,7 @@ from ._columns import Array
 from ._errors import ContactError, FitError
 from ._experiment import Experiment, one_of
 from ._force_map import ForceMap
+from ._magnitudes import unchecked
 from ._read import Direction
 from ._stack import StackSystem
 
@@ -381,7 +382,8 @@ class _Thickness:
                 axis="film_thickness",
                 value=thickness,
             )
-        return replace(self.system, film_thickness=thickness)
+        with unchecked():
+            return replace(self.system, film_thickness=thickness)
 
 
 def _surface(fields: dict[str, Any]) -> float:

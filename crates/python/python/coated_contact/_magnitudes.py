@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from . import _core
+
+_unchecked = ContextVar("_unchecked", default=False)
 
 
 class MagnitudeWarning(UserWarning):
@@ -18,8 +22,20 @@ class MagnitudeWarning(UserWarning):
     """
 
 
+@contextmanager
+def unchecked() -> Iterator[None]:
+    """Do not warn of the numbers of trials, which nobody gave, nor where a fit checks them."""
+    token = _unchecked.set(True)
+    try:
+        yield
+    finally:
+        _unchecked.reset(token)
+
+
 def warn_of(found: Iterable[str]) -> None:
     """Warn of what was found, at the line that called this package."""
+    if _unchecked.get():
+        return
     for text in found:
         level, frame = 1, sys._getframe()
         # `dataclasses.replace` makes another one.

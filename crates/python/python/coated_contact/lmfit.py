@@ -24,6 +24,7 @@ from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
 from ._errors import FitError
 from ._experiment import Experiment, ParameterName, listed
+from ._magnitudes import unchecked
 from ._model import Prediction, branches, predict
 from ._stack import Layer, Springs, StackSystem
 from ._table import Table
@@ -342,7 +343,8 @@ def with_values(experiment: Experiment, values: dict[ParameterName, float]) -> E
     else:
         film = "solid" if isinstance(system, HalfSpace) else "film"
         changes[film] = replace(_film(system), **of_film)
-    return replace(experiment, system=replace(system, **changes), **own)
+    with unchecked():
+        return replace(experiment, system=replace(system, **changes), **own)
 
 
 def _layer_with(layer: Layer, values: dict[ParameterName, float]) -> Layer:

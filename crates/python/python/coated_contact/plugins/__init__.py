@@ -21,6 +21,7 @@ from .._bodies import Elastic, System
 from .._columns import Array
 from .._errors import ContactError, FitError
 from .._experiment import Experiment
+from .._magnitudes import unchecked
 from .._model import branches, predict
 from .._table import Table
 
@@ -171,12 +172,13 @@ class Plugin:
 
 def system(values: Mapping[str, float]) -> System:
     """Return the system of the parameters of a model."""
-    return System(
-        sphere_radius=values["R"],
-        sphere_modulus=values["E_sphere"],
-        film=Elastic(young_modulus=values["E"], poisson_ratio=values["nu"]),
-        film_thickness=values["thickness"],
-        substrate=Elastic(
-            young_modulus=values["E_substrate"], poisson_ratio=values["nu_substrate"]
-        ),
-    )
+    with unchecked():
+        return System(
+            sphere_radius=values["R"],
+            sphere_modulus=values["E_sphere"],
+            film=Elastic(young_modulus=values["E"], poisson_ratio=values["nu"]),
+            film_thickness=values["thickness"],
+            substrate=Elastic(
+                young_modulus=values["E_substrate"], poisson_ratio=values["nu_substrate"]
+            ),
+        )
