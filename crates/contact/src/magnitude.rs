@@ -23,8 +23,8 @@ const CONTACTS: [f64; 2] = [1e-9, 1e-2];
 /// The smallest slope at the edge of the widest contact: that of a sphere of 0.2 m, or of a cone with a half angle of 87
 /// degrees.
 const FLATTEST: f64 = 0.05;
-/// The height of a measured profile over its largest radius, and the slope at the edge of the narrowest contact, above which one of their units is probably wrong:
-/// that of a cone with a half angle of 1 degree.
+/// The height of a measured profile over its largest radius, and the slope at the edge of the narrowest contact, above
+/// which one of their units is probably wrong: that of a cone with a half angle of 1 degree.
 const STEEPEST: f64 = 57.0;
 
 /// A number that a contact experiment does not have, or hardly has.

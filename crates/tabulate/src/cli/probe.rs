@@ -141,7 +141,7 @@ fn cone_of_pyramid(face: f64) -> String {
     const WIDER: f64 = 1.171;
     let cone = (WIDER * face.to_radians().tan()).atan().to_degrees();
     // Enough digits to tell it from a right angle.
-    let digits = (1.0 - (90.0 - cone).log10()).ceil().max(2.0) as usize;
+    let digits = (1.0 - (90.0 - cone).log10()).ceil().clamp(2.0, 15.0) as usize;
     format!(
         "a pyramid is taken for a cone: --probe cone --half-angle {cone:.digits$} for four faces that make {face} degrees with the axis (the same load), \
          and --probe cone --half-angle 70.3 for a Berkovich or Vickers indenter (the same area at a depth)"
