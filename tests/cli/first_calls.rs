@@ -50,7 +50,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | curve --probe pyramid --half-angle 20 | --probe cone --half-angle 23.08; 20 degrees
         1 | curve --probe pyramid --half-angle 89.999 | --half-angle 89.99915; 89.999 degrees
         1 | curve --probe pyramid --half-angle 89.99999999999999 | --probe cone; 89.99999999999999 degrees
-        1 | curve --probe power-law --coefficient 0.01 --exponent 3 | coefficient of the power law = 0.01; 3e-6; in um it is 1e10
+        1 | curve --probe power-law --coefficient 0.01 --exponent 3 | coefficient of the power law = 0.01; 3e-6; are in um, it is 1e10
         1 | curve --probe power-law --coefficient 1e300 --exponent 3 | coefficient of the power law = 1e300; steeper; --allow magnitudes
         1 | pull-off --control spring --stiffness 1e-12 | the stiffness = 1e-12 N/m; 1e-6 to 1e9; unit
         1 | curve --probe berkovich | --probe cone --half-angle 70.3

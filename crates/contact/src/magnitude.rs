@@ -153,7 +153,7 @@ impl Magnitude {
             let [um, nm] =
                 [1e6_f64, 1e9].map(|unit| short(coefficient * unit.powf(exponent - 1.0)));
             reason +=
-                &format!("; with both in um it is {um} m^(1-n), with both in nm {nm} m^(1-n)");
+                &format!("; if both are in um, it is {um} m^(1-n) in m, if in nm {nm} m^(1-n)");
         }
         Some(Self {
             what: "the coefficient of the power law".into(),
@@ -332,7 +332,7 @@ mod tests {
             found(0.01, 3.0),
             [
                 "the coefficient of the power law = 0.01 m^(1-n) makes a slope of 3e-6 at a radius of 0.01 m, flatter than any \
-              probe: r and c r^n are in m; with both in um it is 1e10 m^(1-n), with both in nm 1e16 m^(1-n)"
+              probe: r and c r^n are in m; if both are in um, it is 1e10 m^(1-n) in m, if in nm 1e16 m^(1-n)"
             ]
         );
         for (coefficient, exponent) in [(0.05, 2.0), (1e300, 3.0)] {

@@ -127,24 +127,15 @@ impl NativeCoated {
 
     /// Names what no contact has of the bodies.
     fn magnitudes(&self) -> Vec<String> {
-        let Some(stack) = self.stack() else {
-            return texts(Magnitude::of_system(&self.system, 0.0));
-        };
         let System {
             probe,
             sphere_modulus,
             ..
         } = &self.system;
-        let layers = stack.layers().iter();
-        let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
-        let base = stack.base().young();
-        texts(Magnitude::of_layered(
-            probe,
-            *sphere_modulus,
-            base,
-            layers,
-            0.0,
-        ))
+        texts(match &self.named {
+            None => Magnitude::of_system(&self.system, 0.0),
+            Some(named) => named.magnitudes(probe, *sphere_modulus, 0.0),
+        })
     }
 }
 

@@ -169,20 +169,12 @@ fn tools() -> Result<(), String> {
 }
 
 /// Runs the benches that need scipy. The selection is that of the tests, so
-/// that nothing is compiled twice for the small cases. Where the times count, all crates are compiled
-/// again, with other options.
+/// that nothing is compiled twice for the small cases. Where the times count, benches are optimised, and interpn has
+/// its fast code, without which it takes several times as long.
 fn compare(args: &[&str]) -> Result<(), String> {
-    /// Without optimisation among the units of a crate, or without its fast code, interpn takes several times as long.
-    const FAIR: [&str; 6] = [
-        "--features",
-        "coated-contact-tabulate/fast-interpn",
-        "--config",
-        "profile.bench.lto=false",
-        "--config",
-        "profile.bench.package.coated-contact-tabulate.codegen-units=16",
-    ];
+    const FAIR: [&str; 2] = ["--features", "coated-contact-tabulate/fast-interpn"];
     const AS_TESTS: [&str; 2] = ["--profile", "release"];
-    let profile: &[&str] = if args.is_empty() { &FAIR } else { &AS_TESTS };
+    let options = if args.is_empty() { FAIR } else { AS_TESTS };
     let bench = [
         "bench",
         "--workspace",
@@ -191,7 +183,7 @@ fn compare(args: &[&str]) -> Result<(), String> {
         "--bench",
         "rivals",
     ];
-    let bench = [&bench, profile, args].concat();
+    let bench = [&bench, &options[..], args].concat();
     succeed(hdf5::cargo(&bench)?.env("PYTHON", venv::interpreter()?))
 }
 

@@ -149,9 +149,9 @@ def evaluate_flat(
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     arrays = [real(name, value) for name, value in inputs.items()]
     paired(inputs)
-    if "work_of_adhesion" in inputs:
-        work = arrays[list(inputs).index("work_of_adhesion")]
-        warn_of_work(work.max(initial=0.0))
+    for name, array in zip(inputs, arrays, strict=True):
+        if name == "work_of_adhesion":
+            warn_of_work(array.max(initial=0.0))
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     flat = [
         array.reshape(1)

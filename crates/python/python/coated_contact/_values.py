@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ._arrays import number
+from ._magnitudes import unchecked
 
 
 class Remade:
@@ -70,7 +71,9 @@ def short(value: object) -> str:
 
 
 def _again(cls: Any, values: dict[str, Any]) -> Any:
-    return cls(**values)
+    # What is warned of was so when the values were given.
+    with unchecked():
+        return cls(**values)
 
 
 def set_field(instance: object, name: str, value: object) -> None:

@@ -88,11 +88,8 @@ impl BodiesArguments {
         let mut found = match &bodies.stack {
             None if self.half_space => Magnitude::of_half_space(&half_space(system), work),
             Some(layers) if self.stack.is_some() => {
-                let (stack, probe) = (layers.stack(), &system.probe);
-                let layers = stack.layers().iter();
-                let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
-                let base = stack.base().young();
-                Magnitude::of_layered(probe, system.sphere_modulus, base, layers, work)
+                let named = &layers.named;
+                named.magnitudes(&system.probe, system.sphere_modulus, work)
             }
             _ => Magnitude::of_system(system, work),
         };

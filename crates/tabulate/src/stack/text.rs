@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use interp::Elastic;
+use contact::magnitude::Magnitude;
+use interp::{Elastic, Probe};
 use serde::Deserialize;
 
 use super::interface;
@@ -48,6 +49,20 @@ pub struct NamedStack {
 }
 
 impl NamedStack {
+    /// Names what no contact has of a probe of a reduced modulus (Pa), of the layers and their base, and of the work of
+    /// adhesion (J/m^2) between probe and layers.
+    pub fn magnitudes(
+        &self,
+        probe: &Probe,
+        sphere_modulus: f64,
+        work_of_adhesion: f64,
+    ) -> Vec<Magnitude> {
+        let layers = self.stack.layers().iter();
+        let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
+        let base = self.stack.base().young();
+        Magnitude::of_layered(probe, sphere_modulus, base, layers, work_of_adhesion)
+    }
+
     /// Reads a stack file: TOML in SI units.
     ///
     /// It has `base = { young_modulus = .., poisson_ratio = .. }` and, from the base up, a
